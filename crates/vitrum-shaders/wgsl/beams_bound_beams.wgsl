@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,30 +150,30 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
-}
-struct type_23 {
-member: type_22,
+member_18: type_21,
+member_19: type_22,
 }
 struct type_24 {
+member: type_23,
+}
+struct type_25 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -169,73 +181,73 @@ var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
-var phi_152_: u32;
 var phi_153_: u32;
+var phi_154_: u32;
 var local_6: u32;
 var local_7: u32;
-var phi_174_: u32;
-var phi_182_: u32;
+var phi_175_: u32;
 var phi_183_: u32;
+var phi_184_: u32;
 var local_8: u32;
 var local_9: u32;
-var phi_211_: u32;
 var phi_212_: u32;
+var phi_213_: u32;
 var local_10: u32;
 var local_11: u32;
 var local_12: u32;
 var local_13: u32;
-var phi_276_: u32;
-var phi_279_: type_24;
-var phi_281_: type_24;
-var phi_283_: type_24;
-var phi_285_: type_24;
-var phi_294_: u32;
+var phi_277_: u32;
+var phi_280_: type_25;
+var phi_282_: type_25;
+var phi_284_: type_25;
+var phi_286_: type_25;
 var phi_295_: u32;
+var phi_296_: u32;
 var local_14: u32;
 var local_15: u32;
-var phi_312_: u32;
 var phi_313_: u32;
+var phi_314_: u32;
 var local_16: u32;
 var local_17: u32;
-var phi_335_: u32;
 var phi_336_: u32;
-var phi_348_: u32;
+var phi_337_: u32;
 var phi_349_: u32;
+var phi_350_: u32;
 var local_18: u32;
 var local_19: u32;
 var local_20: u32;
-var phi_376_: u32;
-var phi_379_: type_24;
-var phi_381_: type_24;
-var phi_383_: type_24;
-var phi_385_: type_24;
-var phi_1523_: type_24;
-var phi_1524_: type_24;
-var phi_1525_: type_24;
-var phi_1526_: type_24;
-var phi_1527_: type_24;
 var phi_377_: u32;
-var phi_380_: type_24;
-var phi_382_: type_24;
-var phi_384_: type_24;
-var phi_386_: type_24;
-var phi_277_: u32;
-var phi_280_: type_24;
-var phi_282_: type_24;
-var phi_284_: type_24;
-var phi_286_: type_24;
-var local_21: type_24;
-var local_22: type_24;
-var local_23: type_24;
-var local_24: type_24;
-var local_25: type_24;
-var local_26: type_24;
-var local_27: type_24;
-var local_28: type_24;
-var local_29: type_24;
-var local_30: type_24;
-var local_31: type_24;
-var local_32: type_24;
+var phi_380_: type_25;
+var phi_382_: type_25;
+var phi_384_: type_25;
+var phi_386_: type_25;
+var phi_1524_: type_25;
+var phi_1525_: type_25;
+var phi_1526_: type_25;
+var phi_1527_: type_25;
+var phi_1528_: type_25;
+var phi_378_: u32;
+var phi_381_: type_25;
+var phi_383_: type_25;
+var phi_385_: type_25;
+var phi_387_: type_25;
+var phi_278_: u32;
+var phi_281_: type_25;
+var phi_283_: type_25;
+var phi_285_: type_25;
+var phi_287_: type_25;
+var local_21: type_25;
+var local_22: type_25;
+var local_23: type_25;
+var local_24: type_25;
+var local_25: type_25;
+var local_26: type_25;
+var local_27: type_25;
+var local_28: type_25;
+var local_29: type_25;
+var local_30: type_25;
+var local_31: type_25;
+var local_32: type_25;
 let _e72 = global;
 let _e78 = global_1.member.member;
 if (_e72.x < _e78.member) {
@@ -243,21 +255,21 @@ if (_e72.y < _e78.member_1) {
 let _e85 = (_e78.member * _e78.member_1);
 let _e87 = ((_e72.y * _e78.member) + _e72.x);
 let _e91 = global_1.member.member_11.member;
-phi_152_ = 0u;
+phi_153_ = 0u;
 loop {
-let _e93 = phi_152_;
+let _e93 = phi_153_;
 local_6 = _e93;
 local_7 = _e93;
 let _e97 = ((1u << bitcast<u32>((_e93 & 31u))) < _e91);
 if _e97 {
-phi_153_ = (_e93 + 1u);
+phi_154_ = (_e93 + 1u);
 } else {
-phi_153_ = u32();
+phi_154_ = u32();
 }
-let _e100 = phi_153_;
+let _e100 = phi_154_;
 continue;
 continuing {
-phi_152_ = _e100;
+phi_153_ = _e100;
 break if !(_e97);
 }
 }
@@ -265,27 +277,27 @@ let _e103 = local_6;
 let _e106 = local_7;
 let _e111 = global_1.member.member.member;
 let _e113 = ((_e72.y * _e111) + _e72.x);
-phi_174_ = 0u;
+phi_175_ = 0u;
 loop {
-let _e115 = phi_174_;
+let _e115 = phi_175_;
 let _e117 = (_e115 + 1u);
-phi_182_ = 0u;
+phi_183_ = 0u;
 local_12 = _e115;
 local_13 = _e115;
 loop {
-let _e119 = phi_182_;
+let _e119 = phi_183_;
 local_8 = _e119;
 local_9 = _e119;
 let _e123 = ((1u << bitcast<u32>((_e119 & 31u))) < _e91);
 if _e123 {
-phi_183_ = (_e119 + 1u);
+phi_184_ = (_e119 + 1u);
 } else {
-phi_183_ = u32();
+phi_184_ = u32();
 }
-let _e126 = phi_183_;
+let _e126 = phi_184_;
 continue;
 continuing {
-phi_182_ = _e126;
+phi_183_ = _e126;
 break if !(_e123);
 }
 }
@@ -294,25 +306,25 @@ let _e135 = local_9;
 let _e145 = ((_e115 < select(6u, _e106, (_e103 < 6u))) && (_e113 >= ((((1u << bitcast<u32>(((2u * _e129) & 31u))) - (1u << bitcast<u32>(((2u * (_e135 - _e117)) & 31u)))) / 3u) * 4u)));
 continue;
 continuing {
-phi_174_ = select(u32(), _e117, _e145);
+phi_175_ = select(u32(), _e117, _e145);
 break if !(_e145);
 }
 }
-phi_211_ = 0u;
+phi_212_ = 0u;
 loop {
-let _e149 = phi_211_;
+let _e149 = phi_212_;
 local_10 = _e149;
 local_11 = _e149;
 let _e153 = ((1u << bitcast<u32>((_e149 & 31u))) < _e91);
 if _e153 {
-phi_212_ = (_e149 + 1u);
+phi_213_ = (_e149 + 1u);
 } else {
-phi_212_ = u32();
+phi_213_ = u32();
 }
-let _e156 = phi_212_;
+let _e156 = phi_213_;
 continue;
 continuing {
-phi_211_ = _e156;
+phi_212_ = _e156;
 break if !(_e153);
 }
 }
@@ -336,18 +348,18 @@ let _e221 = bitcast<i32>((_e91 * _e91));
 let _e225 = global_1.member.member_12.member_4;
 let _e229 = global_1.member.member_12.member_6;
 let _e231 = bitcast<i32>((_e225 * _e229));
-phi_276_ = _e219;
-phi_279_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
-phi_281_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
-phi_283_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
-phi_285_ = type_24(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_277_ = _e219;
+phi_280_ = type_25(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_282_ = type_25(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_284_ = type_25(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
+phi_286_ = type_25(vec3<f32>(1e30f, 1e30f, 1e30f), vec3<f32>(-1e30f, -1e30f, -1e30f));
 loop {
-let _e233 = phi_276_;
-let _e235 = phi_279_;
-let _e237 = phi_281_;
-let _e239 = phi_283_;
-let _e241 = phi_285_;
-phi_294_ = 0u;
+let _e233 = phi_277_;
+let _e235 = phi_280_;
+let _e237 = phi_282_;
+let _e239 = phi_284_;
+let _e241 = phi_286_;
+phi_295_ = 0u;
 local_21 = _e241;
 local_22 = _e241;
 local_23 = _e239;
@@ -357,76 +369,76 @@ local_26 = _e237;
 local_27 = _e235;
 local_28 = _e235;
 loop {
-let _e247 = phi_294_;
+let _e247 = phi_295_;
 local_14 = _e247;
 local_15 = _e247;
 let _e251 = ((1u << bitcast<u32>((_e247 & 31u))) < _e91);
 if _e251 {
-phi_295_ = (_e247 + 1u);
+phi_296_ = (_e247 + 1u);
 } else {
-phi_295_ = u32();
+phi_296_ = u32();
 }
-let _e254 = phi_295_;
+let _e254 = phi_296_;
 continue;
 continuing {
-phi_294_ = _e254;
+phi_295_ = _e254;
 break if !(_e251);
 }
 }
 let _e257 = local_14;
 let _e260 = local_15;
-phi_312_ = 0u;
+phi_313_ = 0u;
 loop {
-let _e263 = phi_312_;
+let _e263 = phi_313_;
 local_16 = _e263;
 local_17 = _e263;
 let _e267 = ((1u << bitcast<u32>((_e263 & 31u))) < _e91);
 if _e267 {
-phi_313_ = (_e263 + 1u);
+phi_314_ = (_e263 + 1u);
 } else {
-phi_313_ = u32();
+phi_314_ = u32();
 }
-let _e270 = phi_313_;
+let _e270 = phi_314_;
 continue;
 continuing {
-phi_312_ = _e270;
+phi_313_ = _e270;
 break if !(_e267);
 }
 }
 let _e273 = local_16;
 let _e279 = local_17;
-phi_335_ = 0u;
+phi_336_ = 0u;
 loop {
-let _e289 = phi_335_;
+let _e289 = phi_336_;
 local_20 = _e289;
 let _e293 = ((1u << bitcast<u32>((_e289 & 31u))) < _e91);
 if _e293 {
-phi_336_ = (_e289 + 1u);
+phi_337_ = (_e289 + 1u);
 } else {
-phi_336_ = u32();
+phi_337_ = u32();
 }
-let _e296 = phi_336_;
+let _e296 = phi_337_;
 continue;
 continuing {
-phi_335_ = _e296;
+phi_336_ = _e296;
 break if !(_e293);
 }
 }
-phi_348_ = 0u;
+phi_349_ = 0u;
 loop {
-let _e299 = phi_348_;
+let _e299 = phi_349_;
 local_18 = _e299;
 local_19 = _e299;
 let _e303 = ((1u << bitcast<u32>((_e299 & 31u))) < _e91);
 if _e303 {
-phi_349_ = (_e299 + 1u);
+phi_350_ = (_e299 + 1u);
 } else {
-phi_349_ = u32();
+phi_350_ = u32();
 }
-let _e306 = phi_349_;
+let _e306 = phi_350_;
 continue;
 continuing {
-phi_348_ = _e306;
+phi_349_ = _e306;
 break if !(_e303);
 }
 }
@@ -435,17 +447,17 @@ let _e312 = local_19;
 let _e315 = local_20;
 let _e323 = (((_e233 < (_e219 + _e217)) && (_e233 < _e91)) && (_e113 < (((((1u << bitcast<u32>(((2u * _e273) & 31u))) - (1u << bitcast<u32>(((2u * (_e279 - select(6u, _e260, (_e257 < 6u)))) & 31u)))) / 3u) * 4u) + (1u << bitcast<u32>(((2u * (_e315 - select(6u, _e312, (_e309 < 6u)))) & 31u))))));
 if _e323 {
-phi_376_ = _e218;
-phi_379_ = _e235;
-phi_381_ = _e237;
-phi_383_ = _e239;
-phi_385_ = _e241;
+phi_377_ = _e218;
+phi_380_ = _e235;
+phi_382_ = _e237;
+phi_384_ = _e239;
+phi_386_ = _e241;
 loop {
-let _e325 = phi_376_;
-let _e327 = phi_379_;
-let _e329 = phi_381_;
-let _e331 = phi_383_;
-let _e333 = phi_385_;
+let _e325 = phi_377_;
+let _e327 = phi_380_;
+let _e329 = phi_382_;
+let _e331 = phi_384_;
+let _e333 = phi_386_;
 local_29 = _e327;
 local_30 = _e329;
 local_31 = _e331;
@@ -667,80 +679,80 @@ let _e946 = (_e940 - _e943);
 let _e947 = (_e938 + _e941);
 let _e948 = (_e939 + _e942);
 let _e949 = (_e940 + _e943);
-phi_1523_ = type_24(vec3<f32>(select(_e944, _e327.member.x, (_e327.member.x < _e944)), select(_e945, _e327.member.y, (_e327.member.y < _e945)), select(_e946, _e327.member.z, (_e327.member.z < _e946))), vec3<f32>(select(_e947, _e327.member_1.x, (_e327.member_1.x > _e947)), select(_e948, _e327.member_1.y, (_e327.member_1.y > _e948)), select(_e949, _e327.member_1.z, (_e327.member_1.z > _e949))));
-} else {
-phi_1523_ = _e327;
-}
-let _e978 = phi_1523_;
-phi_1524_ = _e978;
-phi_1525_ = type_24(vec3<f32>(select(_e850, _e329.member.x, (_e329.member.x < _e850)), select(_e851, _e329.member.y, (_e329.member.y < _e851)), select(_e852, _e329.member.z, (_e329.member.z < _e852))), vec3<f32>(select(_e853, _e329.member_1.x, (_e329.member_1.x > _e853)), select(_e854, _e329.member_1.y, (_e329.member_1.y > _e854)), select(_e855, _e329.member_1.z, (_e329.member_1.z > _e855))));
-phi_1526_ = type_24(vec3<f32>(select(_e793, _e331.member.x, (_e331.member.x < _e793)), select(_e794, _e331.member.y, (_e331.member.y < _e794)), select(_e795, _e331.member.z, (_e331.member.z < _e795))), vec3<f32>(select(_e796, _e331.member_1.x, (_e331.member_1.x > _e796)), select(_e797, _e331.member_1.y, (_e331.member_1.y > _e797)), select(_e798, _e331.member_1.z, (_e331.member_1.z > _e798))));
-phi_1527_ = type_24(vec3<f32>(select(_e772, _e706, (_e706 < _e772)), select(_e773, _e710, (_e710 < _e773)), select(_e774, _e714, (_e714 < _e774))), vec3<f32>(select(_e775, _e718, (_e718 > _e775)), select(_e776, _e722, (_e722 > _e776)), select(_e777, _e726, (_e726 > _e777))));
+phi_1524_ = type_25(vec3<f32>(select(_e944, _e327.member.x, (_e327.member.x < _e944)), select(_e945, _e327.member.y, (_e327.member.y < _e945)), select(_e946, _e327.member.z, (_e327.member.z < _e946))), vec3<f32>(select(_e947, _e327.member_1.x, (_e327.member_1.x > _e947)), select(_e948, _e327.member_1.y, (_e327.member_1.y > _e948)), select(_e949, _e327.member_1.z, (_e327.member_1.z > _e949))));
 } else {
 phi_1524_ = _e327;
-phi_1525_ = _e329;
-phi_1526_ = _e331;
-phi_1527_ = _e333;
 }
-let _e980 = phi_1524_;
-let _e982 = phi_1525_;
-let _e984 = phi_1526_;
-let _e986 = phi_1527_;
-phi_377_ = (_e325 + 1u);
-phi_380_ = _e980;
-phi_382_ = _e982;
-phi_384_ = _e984;
-phi_386_ = _e986;
+let _e978 = phi_1524_;
+phi_1525_ = _e978;
+phi_1526_ = type_25(vec3<f32>(select(_e850, _e329.member.x, (_e329.member.x < _e850)), select(_e851, _e329.member.y, (_e329.member.y < _e851)), select(_e852, _e329.member.z, (_e329.member.z < _e852))), vec3<f32>(select(_e853, _e329.member_1.x, (_e329.member_1.x > _e853)), select(_e854, _e329.member_1.y, (_e329.member_1.y > _e854)), select(_e855, _e329.member_1.z, (_e329.member_1.z > _e855))));
+phi_1527_ = type_25(vec3<f32>(select(_e793, _e331.member.x, (_e331.member.x < _e793)), select(_e794, _e331.member.y, (_e331.member.y < _e794)), select(_e795, _e331.member.z, (_e331.member.z < _e795))), vec3<f32>(select(_e796, _e331.member_1.x, (_e331.member_1.x > _e796)), select(_e797, _e331.member_1.y, (_e331.member_1.y > _e797)), select(_e798, _e331.member_1.z, (_e331.member_1.z > _e798))));
+phi_1528_ = type_25(vec3<f32>(select(_e772, _e706, (_e706 < _e772)), select(_e773, _e710, (_e710 < _e773)), select(_e774, _e714, (_e714 < _e774))), vec3<f32>(select(_e775, _e718, (_e718 > _e775)), select(_e776, _e722, (_e722 > _e776)), select(_e777, _e726, (_e726 > _e777))));
 } else {
-phi_377_ = u32();
-phi_380_ = type_24();
-phi_382_ = type_24();
-phi_384_ = type_24();
-phi_386_ = type_24();
+phi_1525_ = _e327;
+phi_1526_ = _e329;
+phi_1527_ = _e331;
+phi_1528_ = _e333;
 }
-let _e989 = phi_377_;
-let _e991 = phi_380_;
-let _e993 = phi_382_;
-let _e995 = phi_384_;
-let _e997 = phi_386_;
+let _e980 = phi_1525_;
+let _e982 = phi_1526_;
+let _e984 = phi_1527_;
+let _e986 = phi_1528_;
+phi_378_ = (_e325 + 1u);
+phi_381_ = _e980;
+phi_383_ = _e982;
+phi_385_ = _e984;
+phi_387_ = _e986;
+} else {
+phi_378_ = u32();
+phi_381_ = type_25();
+phi_383_ = type_25();
+phi_385_ = type_25();
+phi_387_ = type_25();
+}
+let _e989 = phi_378_;
+let _e991 = phi_381_;
+let _e993 = phi_383_;
+let _e995 = phi_385_;
+let _e997 = phi_387_;
 continue;
 continuing {
-phi_376_ = _e989;
-phi_379_ = _e991;
-phi_381_ = _e993;
-phi_383_ = _e995;
-phi_385_ = _e997;
+phi_377_ = _e989;
+phi_380_ = _e991;
+phi_382_ = _e993;
+phi_384_ = _e995;
+phi_386_ = _e997;
 break if !(_e337);
 }
 }
-phi_277_ = (_e233 + 1u);
+phi_278_ = (_e233 + 1u);
 let _e1229 = local_29;
-phi_280_ = _e1229;
+phi_281_ = _e1229;
 let _e1232 = local_30;
-phi_282_ = _e1232;
+phi_283_ = _e1232;
 let _e1235 = local_31;
-phi_284_ = _e1235;
+phi_285_ = _e1235;
 let _e1238 = local_32;
-phi_286_ = _e1238;
+phi_287_ = _e1238;
 } else {
-phi_277_ = u32();
-phi_280_ = type_24();
-phi_282_ = type_24();
-phi_284_ = type_24();
-phi_286_ = type_24();
+phi_278_ = u32();
+phi_281_ = type_25();
+phi_283_ = type_25();
+phi_285_ = type_25();
+phi_287_ = type_25();
 }
-let _e1001 = phi_277_;
-let _e1003 = phi_280_;
-let _e1005 = phi_282_;
-let _e1007 = phi_284_;
-let _e1009 = phi_286_;
+let _e1001 = phi_278_;
+let _e1003 = phi_281_;
+let _e1005 = phi_283_;
+let _e1007 = phi_285_;
+let _e1009 = phi_287_;
 continue;
 continuing {
-phi_276_ = _e1001;
-phi_279_ = _e1003;
-phi_281_ = _e1005;
-phi_283_ = _e1007;
-phi_285_ = _e1009;
+phi_277_ = _e1001;
+phi_280_ = _e1003;
+phi_282_ = _e1005;
+phi_284_ = _e1007;
+phi_286_ = _e1009;
 break if !(_e323);
 }
 }

@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_16 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_17 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_17 {
+struct type_18 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_18 {
+struct type_19 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
-member_1: type_15,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,31 +150,31 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_16,
-member_12: type_17,
-member_13: type_18,
+member_11: type_17,
+member_12: type_18,
+member_13: type_19,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_19,
-member_19: type_20,
+member_18: type_20,
+member_19: type_21,
 }
-struct type_22 {
-member: type_21,
+struct type_23 {
+member: type_22,
 }
-struct type_25 {
+struct type_26 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_22;
+var<storage> global_1: type_23;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -174,23 +186,23 @@ var local_6: i32;
 var local_7: i32;
 var local_8: i32;
 var local_9: i32;
-var phi_1006_: i32;
-var phi_1009_: f32;
-var phi_1147_: i32;
-var phi_1160_: i32;
-var phi_1174_: i32;
-var phi_1490_: i32;
-var phi_1503_: i32;
-var phi_1517_: i32;
-var phi_1720_: f32;
-var phi_2091_: u32;
-var phi_2166_: u32;
-var phi_2241_: u32;
-var phi_2316_: u32;
-var phi_2391_: u32;
-var phi_2466_: u32;
 var phi_1007_: i32;
 var phi_1010_: f32;
+var phi_1148_: i32;
+var phi_1161_: i32;
+var phi_1175_: i32;
+var phi_1491_: i32;
+var phi_1504_: i32;
+var phi_1518_: i32;
+var phi_1721_: f32;
+var phi_2092_: u32;
+var phi_2167_: u32;
+var phi_2242_: u32;
+var phi_2317_: u32;
+var phi_2392_: u32;
+var phi_2467_: u32;
+var phi_1008_: i32;
+var phi_1011_: f32;
 let _e65 = global;
 let _e73 = arrayLength((&global_4.member));
 let _e76 = global_1.member.member;
@@ -299,17 +311,17 @@ let _e301 = select(0i, select(select(i32(_e294), i32(-2147483648), (_e294 < -214
 let _e306 = ((_e301 - select(0i, 1i, (_e294 < f32(_e301)))) + 1i);
 let _e308 = (_e268 / f32(_e306));
 let _e313 = global_1.member.member_19.member_1;
-phi_1006_ = 0i;
-phi_1009_ = 0f;
+phi_1007_ = 0i;
+phi_1010_ = 0f;
 loop {
-let _e317 = phi_1006_;
-let _e319 = phi_1009_;
+let _e317 = phi_1007_;
+let _e319 = phi_1010_;
 let _e320 = (_e317 < _e306);
 if _e320 {
 let _e322 = (f32(_e317) * _e308);
 let _e326 = global_1.member.member_13.member_6;
 if (_e326 == 0u) {
-phi_1720_ = _e308;
+phi_1721_ = _e308;
 } else {
 let _e328 = (_e322 + _e308);
 let _e330 = (0.5f * (_e322 + _e328));
@@ -360,29 +372,29 @@ local_2 = (_e379 - f32(_e416));
 let _e453 = (_e416 + 1i);
 let _e455 = select(_e453, 0i, (_e453 < 0i));
 if (_e455 >= _e344) {
-phi_1147_ = (_e344 - 1i);
+phi_1148_ = (_e344 - 1i);
 } else {
-phi_1147_ = _e455;
+phi_1148_ = _e455;
 }
-let _e459 = phi_1147_;
+let _e459 = phi_1148_;
 local_3 = (_e459 - _e416);
 let _e461 = (_e431 + 1i);
 let _e463 = select(_e461, 0i, (_e461 < 0i));
 if (_e463 >= _e349) {
-phi_1160_ = (_e349 - 1i);
+phi_1161_ = (_e349 - 1i);
 } else {
-phi_1160_ = _e463;
+phi_1161_ = _e463;
 }
-let _e467 = phi_1160_;
+let _e467 = phi_1161_;
 let _e469 = ((_e467 - _e431) * _e344);
 let _e470 = (_e446 + 1i);
 let _e472 = select(_e470, 0i, (_e470 < 0i));
 if (_e472 >= _e354) {
-phi_1174_ = (_e354 - 1i);
+phi_1175_ = (_e354 - 1i);
 } else {
-phi_1174_ = _e472;
+phi_1175_ = _e472;
 }
-let _e476 = phi_1174_;
+let _e476 = phi_1175_;
 let _e483 = global_1.member.member_13.member_10;
 let _e484 = bitcast<i32>(_e483);
 let _e489 = ((_e484 + (((_e446 * _e349) + _e431) * _e344)) + _e416);
@@ -451,29 +463,29 @@ local = (_e608 - f32(_e639));
 let _e676 = (_e639 + 1i);
 let _e678 = select(_e676, 0i, (_e676 < 0i));
 if (_e678 >= _e344) {
-phi_1490_ = (_e344 - 1i);
+phi_1491_ = (_e344 - 1i);
 } else {
-phi_1490_ = _e678;
+phi_1491_ = _e678;
 }
-let _e682 = phi_1490_;
+let _e682 = phi_1491_;
 local_1 = (_e682 - _e639);
 let _e684 = (_e654 + 1i);
 let _e686 = select(_e684, 0i, (_e684 < 0i));
 if (_e686 >= _e349) {
-phi_1503_ = (_e349 - 1i);
+phi_1504_ = (_e349 - 1i);
 } else {
-phi_1503_ = _e686;
+phi_1504_ = _e686;
 }
-let _e690 = phi_1503_;
+let _e690 = phi_1504_;
 let _e692 = ((_e690 - _e654) * _e344);
 let _e693 = (_e669 + 1i);
 let _e695 = select(_e693, 0i, (_e693 < 0i));
 if (_e695 >= _e354) {
-phi_1517_ = (_e354 - 1i);
+phi_1518_ = (_e354 - 1i);
 } else {
-phi_1517_ = _e695;
+phi_1518_ = _e695;
 }
-let _e699 = phi_1517_;
+let _e699 = phi_1518_;
 let _e707 = ((_e484 + (((_e669 * _e349) + _e654) * _e344)) + _e639);
 let _e709 = select(_e491, _e707, (_e707 < _e491));
 let _e714 = global_3.member[bitcast<u32>(select(0i, _e709, (_e709 > 0i)))];
@@ -511,9 +523,9 @@ let _e793 = (_e781 + _e792);
 let _e795 = select(_e491, _e793, (_e793 < _e491));
 let _e800 = global_3.member[bitcast<u32>(select(0i, _e795, (_e795 > 0i)))];
 let _e801 = local;
-phi_1720_ = ((0.5f * (((((((_e498 * (1f - _e499)) + (_e510 * _e511)) * _e514) + (((_e523 * (1f - _e524)) + (_e535 * _e536)) * _e450)) * (1f - _e452)) + (((((_e548 * (1f - _e549)) + (_e560 * _e561)) * _e514) + (((_e572 * (1f - _e573)) + (_e584 * _e585)) * _e450)) * _e452)) + ((((((_e714 * (1f - _e715)) + (_e726 * _e727)) * _e730) + (((_e739 * (1f - _e740)) + (_e751 * _e752)) * _e673)) * (1f - _e675)) + (((((_e764 * (1f - _e765)) + (_e776 * _e777)) * _e730) + (((_e788 * (1f - _e789)) + (_e800 * _e801)) * _e673)) * _e675)))) * _e331);
+phi_1721_ = ((0.5f * (((((((_e498 * (1f - _e499)) + (_e510 * _e511)) * _e514) + (((_e523 * (1f - _e524)) + (_e535 * _e536)) * _e450)) * (1f - _e452)) + (((((_e548 * (1f - _e549)) + (_e560 * _e561)) * _e514) + (((_e572 * (1f - _e573)) + (_e584 * _e585)) * _e450)) * _e452)) + ((((((_e714 * (1f - _e715)) + (_e726 * _e727)) * _e730) + (((_e739 * (1f - _e740)) + (_e751 * _e752)) * _e673)) * (1f - _e675)) + (((((_e764 * (1f - _e765)) + (_e776 * _e777)) * _e730) + (((_e788 * (1f - _e789)) + (_e800 * _e801)) * _e673)) * _e675)))) * _e331);
 }
-let _e814 = phi_1720_;
+let _e814 = phi_1721_;
 let _e816 = (_e319 + (0.5f * _e814));
 let _e820 = global_1.member.member_13.member;
 let _e825 = -((_e820.member * _e816));
@@ -585,11 +597,11 @@ if ((_e1087 | _e1094) == 0u) {
 let _e1097 = bitcast<u32>(_e1059);
 if (_e1097 < _e73) {
 let _e1101 = atomicAdd((&global_4.member[_e1097]), _e1087);
-phi_2091_ = _e1101;
+phi_2092_ = _e1101;
 } else {
-phi_2091_ = 0u;
+phi_2092_ = 0u;
 }
-let _e1103 = phi_2091_;
+let _e1103 = phi_2092_;
 let _e1107 = (_e1094 + select(0u, 1u, ((_e1103 + _e1087) < _e1087)));
 if (_e1107 == 0u) {
 } else {
@@ -613,11 +625,11 @@ if ((_e1140 | _e1147) == 0u) {
 let _e1151 = bitcast<u32>((_e1059 + 2i));
 if (_e1151 < _e73) {
 let _e1155 = atomicAdd((&global_4.member[_e1151]), _e1140);
-phi_2166_ = _e1155;
+phi_2167_ = _e1155;
 } else {
-phi_2166_ = 0u;
+phi_2167_ = 0u;
 }
-let _e1157 = phi_2166_;
+let _e1157 = phi_2167_;
 let _e1161 = (_e1147 + select(0u, 1u, ((_e1157 + _e1140) < _e1140)));
 if (_e1161 == 0u) {
 } else {
@@ -641,11 +653,11 @@ if ((_e1194 | _e1201) == 0u) {
 let _e1205 = bitcast<u32>((_e1059 + 4i));
 if (_e1205 < _e73) {
 let _e1209 = atomicAdd((&global_4.member[_e1205]), _e1194);
-phi_2241_ = _e1209;
+phi_2242_ = _e1209;
 } else {
-phi_2241_ = 0u;
+phi_2242_ = 0u;
 }
-let _e1211 = phi_2241_;
+let _e1211 = phi_2242_;
 let _e1215 = (_e1201 + select(0u, 1u, ((_e1211 + _e1194) < _e1194)));
 if (_e1215 == 0u) {
 } else {
@@ -669,11 +681,11 @@ if ((_e1248 | _e1255) == 0u) {
 let _e1259 = bitcast<u32>((_e1059 + 6i));
 if (_e1259 < _e73) {
 let _e1263 = atomicAdd((&global_4.member[_e1259]), _e1248);
-phi_2316_ = _e1263;
+phi_2317_ = _e1263;
 } else {
-phi_2316_ = 0u;
+phi_2317_ = 0u;
 }
-let _e1265 = phi_2316_;
+let _e1265 = phi_2317_;
 let _e1269 = (_e1255 + select(0u, 1u, ((_e1265 + _e1248) < _e1248)));
 if (_e1269 == 0u) {
 } else {
@@ -697,11 +709,11 @@ if ((_e1302 | _e1309) == 0u) {
 let _e1313 = bitcast<u32>((_e1059 + 8i));
 if (_e1313 < _e73) {
 let _e1317 = atomicAdd((&global_4.member[_e1313]), _e1302);
-phi_2391_ = _e1317;
+phi_2392_ = _e1317;
 } else {
-phi_2391_ = 0u;
+phi_2392_ = 0u;
 }
-let _e1319 = phi_2391_;
+let _e1319 = phi_2392_;
 let _e1323 = (_e1309 + select(0u, 1u, ((_e1319 + _e1302) < _e1302)));
 if (_e1323 == 0u) {
 } else {
@@ -725,11 +737,11 @@ if ((_e1356 | _e1363) == 0u) {
 let _e1367 = bitcast<u32>((_e1059 + 10i));
 if (_e1367 < _e73) {
 let _e1371 = atomicAdd((&global_4.member[_e1367]), _e1356);
-phi_2466_ = _e1371;
+phi_2467_ = _e1371;
 } else {
-phi_2466_ = 0u;
+phi_2467_ = 0u;
 }
-let _e1373 = phi_2466_;
+let _e1373 = phi_2467_;
 let _e1377 = (_e1363 + select(0u, 1u, ((_e1373 + _e1356) < _e1356)));
 if (_e1377 == 0u) {
 } else {
@@ -739,18 +751,18 @@ let _e1383 = atomicAdd((&global_4.member[_e1379]), _e1377);
 }
 }
 }
-phi_1007_ = (_e317 + 1i);
-phi_1010_ = (_e319 + _e814);
+phi_1008_ = (_e317 + 1i);
+phi_1011_ = (_e319 + _e814);
 } else {
-phi_1007_ = i32();
-phi_1010_ = f32();
+phi_1008_ = i32();
+phi_1011_ = f32();
 }
-let _e1387 = phi_1007_;
-let _e1389 = phi_1010_;
+let _e1387 = phi_1008_;
+let _e1389 = phi_1011_;
 continue;
 continuing {
-phi_1006_ = _e1387;
-phi_1009_ = _e1389;
+phi_1007_ = _e1387;
+phi_1010_ = _e1389;
 break if !(_e320);
 }
 }

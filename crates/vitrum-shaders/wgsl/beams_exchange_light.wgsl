@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_17 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_21 {
+struct type_22 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
-member_1: type_17,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,30 +150,30 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_18,
-member_12: type_19,
-member_13: type_20,
+member_11: type_19,
+member_12: type_20,
+member_13: type_21,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_21,
-member_19: type_22,
+member_18: type_22,
+member_19: type_23,
 }
-struct type_24 {
-member: type_23,
+struct type_25 {
+member: type_24,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(3)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(0)
-var<storage> global_3: type_24;
+var<storage> global_3: type_25;
 @group(0) @binding(1)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(2)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 fn function_() {
 var local: array<f32, 6>;
 var local_1: array<f32, 6>;
@@ -178,46 +190,46 @@ var local_11: i32;
 var local_12: array<f32, 6>;
 var local_13: array<f32, 6>;
 var local_14: i32;
-var phi_2883_: bool;
-var phi_465_: u32;
-var phi_2882_: bool;
-var phi_475_: u32;
-var phi_999_: i32;
-var phi_1010_: i32;
-var phi_1022_: i32;
-var phi_1519_: f32;
-var phi_1540_: u32;
-var phi_1541_: u32;
-var phi_2800_: bool;
-var phi_2885_: bool;
-var phi_476_: u32;
 var phi_2884_: bool;
-var phi_1584_: u32;
-var phi_1585_: u32;
-var phi_2886_: bool;
-var phi_2890_: bool;
 var phi_466_: u32;
-var phi_2889_: bool;
-var phi_2785_: bool;
-var phi_1621_: u32;
-var phi_2784_: bool;
-var phi_1631_: u32;
-var phi_2155_: i32;
-var phi_2166_: i32;
-var phi_2178_: i32;
-var phi_2534_: u32;
-var phi_2535_: u32;
-var phi_2717_: bool;
-var phi_2794_: bool;
-var phi_1632_: u32;
-var phi_2793_: bool;
-var phi_2578_: u32;
-var phi_2579_: u32;
-var phi_2795_: bool;
-var phi_2799_: bool;
+var phi_2883_: bool;
+var phi_476_: u32;
+var phi_1000_: i32;
+var phi_1011_: i32;
+var phi_1023_: i32;
+var phi_1520_: f32;
+var phi_1541_: u32;
+var phi_1542_: u32;
+var phi_2801_: bool;
+var phi_2886_: bool;
+var phi_477_: u32;
+var phi_2885_: bool;
+var phi_1585_: u32;
+var phi_1586_: u32;
+var phi_2887_: bool;
+var phi_2891_: bool;
+var phi_467_: u32;
+var phi_2890_: bool;
+var phi_2786_: bool;
 var phi_1622_: u32;
-var phi_2798_: bool;
-var phi_2614_: array<f32, 6>;
+var phi_2785_: bool;
+var phi_1632_: u32;
+var phi_2156_: i32;
+var phi_2167_: i32;
+var phi_2179_: i32;
+var phi_2535_: u32;
+var phi_2536_: u32;
+var phi_2718_: bool;
+var phi_2795_: bool;
+var phi_1633_: u32;
+var phi_2794_: bool;
+var phi_2579_: u32;
+var phi_2580_: u32;
+var phi_2796_: bool;
+var phi_2800_: bool;
+var phi_1623_: u32;
+var phi_2799_: bool;
+var phi_2615_: array<f32, 6>;
 switch bitcast<i32>(0u) {
 default: {
 let _e77 = global;
@@ -253,19 +265,19 @@ let _e173 = sqrt(select(0f, _e170, (_e170 > 0f)));
 let _e176 = (1f / select(1e-20f, _e173, (_e173 > 1e-20f)));
 if (_e90.member_2 == 1u) {
 local_12 = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
-phi_2883_ = false;
-phi_465_ = 0u;
+phi_2884_ = false;
+phi_466_ = 0u;
 loop {
-let _e185 = phi_2883_;
-let _e187 = phi_465_;
+let _e185 = phi_2884_;
+let _e187 = phi_466_;
 let _e188 = (_e187 < 16u);
 if _e188 {
 local_13 = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
-phi_2882_ = _e185;
-phi_475_ = 0u;
+phi_2883_ = _e185;
+phi_476_ = 0u;
 loop {
-let _e190 = phi_2882_;
-let _e192 = phi_475_;
+let _e190 = phi_2883_;
+let _e192 = phi_476_;
 let _e193 = (_e192 < 256u);
 if _e193 {
 let _e194 = (_e192 % 16u);
@@ -361,25 +373,25 @@ let _e429 = select(1e-9f, _e427, (_e427 > 1e-9f));
 let _e436 = (((1f - _e423) / (_e429 * sqrt(select(0f, _e429, (_e429 > 0f))))) * _e388);
 let _e445 = (bitcast<i32>(_e195) - bitcast<i32>(_e102));
 if (_e445 < 0i) {
-phi_999_ = -(_e445);
+phi_1000_ = -(_e445);
 } else {
-phi_999_ = _e445;
+phi_1000_ = _e445;
 }
-let _e449 = phi_999_;
+let _e449 = phi_1000_;
 let _e453 = (bitcast<i32>(_e194) - bitcast<i32>(_e101));
 if (_e453 < 0i) {
-phi_1010_ = -(_e453);
+phi_1011_ = -(_e453);
 } else {
-phi_1010_ = _e453;
+phi_1011_ = _e453;
 }
-let _e457 = phi_1010_;
+let _e457 = phi_1011_;
 let _e462 = (bitcast<i32>(_e187) - bitcast<i32>(_e77.x));
 if (_e462 < 0i) {
-phi_1022_ = -(_e462);
+phi_1023_ = -(_e462);
 } else {
-phi_1022_ = _e462;
+phi_1023_ = _e462;
 }
-let _e466 = phi_1022_;
+let _e466 = phi_1023_;
 local_11 = ((((_e449 * 16i) + _e457) * 16i) + _e466);
 let _e470 = global_3.member.member_19.member_3;
 let _e471 = bitcast<i32>(_e470);
@@ -459,143 +471,143 @@ let _e761 = global_1.member[bitcast<u32>(select(0i, _e756, (_e756 > 0i)))];
 let _e763 = (_e753 + (_e749 + 1i));
 let _e765 = select(_e475, _e763, (_e763 < _e475));
 let _e770 = global_1.member[bitcast<u32>(select(0i, _e765, (_e765 > 0i)))];
-phi_1519_ = (_e761 + ((_e770 - _e761) * (_e733 - f32(_e749))));
+phi_1520_ = (_e761 + ((_e770 - _e761) * (_e733 - f32(_e749))));
 } else {
-phi_1519_ = select(((1f - _e704) / (_e710 * sqrt(select(0f, _e710, (_e710 > 0f))))), (0.75f * (1f + (_e700 * _e700))), (_e722 == 1u));
+phi_1520_ = select(((1f - _e704) / (_e710 * sqrt(select(0f, _e710, (_e710 > 0f))))), (0.75f * (1f + (_e700 * _e700))), (_e722 == 1u));
 }
-let _e777 = phi_1519_;
+let _e777 = phi_1520_;
 let _e780 = (3.1415927f * select((_e777 * _e692), _e692, _e230));
 local_8 = array<f32, 6>((((((((_e252 * _e412) + (_e325 * _e436)) * _e482) * _e673.x) * _e685.member) * _e692) * _e780), (((((((_e261 * _e412) + (_e334 * _e436)) * _e492) * _e673.y) * _e685.member_1) * _e692) * _e780), (((((((_e270 * _e412) + (_e343 * _e436)) * _e502) * _e673.z) * _e685.member_2) * _e692) * _e780), 0f, 0f, 0f);
-phi_1540_ = 0u;
+phi_1541_ = 0u;
 loop {
-let _e786 = phi_1540_;
+let _e786 = phi_1541_;
 let _e787 = (_e786 < 6u);
 if _e787 {
 if _e787 {
 } else {
-phi_2800_ = true;
+phi_2801_ = true;
 break;
 }
 let _e789 = local_8[_e786];
 if _e787 {
 } else {
-phi_2800_ = true;
+phi_2801_ = true;
 break;
 }
 let _e791 = local_13[_e786];
 local_13[_e786] = (_e791 + _e789);
-phi_1541_ = (_e786 + 1u);
+phi_1542_ = (_e786 + 1u);
 } else {
-phi_1541_ = u32();
+phi_1542_ = u32();
 }
-let _e795 = phi_1541_;
+let _e795 = phi_1542_;
 continue;
 continuing {
-phi_1540_ = _e795;
-phi_2800_ = _e190;
+phi_1541_ = _e795;
+phi_2801_ = _e190;
 break if !(_e787);
 }
 }
-let _e798 = phi_2800_;
-phi_2884_ = _e798;
+let _e798 = phi_2801_;
+phi_2885_ = _e798;
 if _e798 {
 break;
 }
-phi_2885_ = _e798;
-phi_476_ = (_e192 + 1u);
+phi_2886_ = _e798;
+phi_477_ = (_e192 + 1u);
 } else {
-phi_2885_ = _e190;
-phi_476_ = u32();
+phi_2886_ = _e190;
+phi_477_ = u32();
 }
-let _e801 = phi_2885_;
-let _e803 = phi_476_;
+let _e801 = phi_2886_;
+let _e803 = phi_477_;
 continue;
 continuing {
-phi_2882_ = _e801;
-phi_475_ = _e803;
-phi_2884_ = _e801;
+phi_2883_ = _e801;
+phi_476_ = _e803;
+phi_2885_ = _e801;
 break if !(_e193);
 }
 }
-let _e806 = phi_2884_;
-phi_2889_ = _e806;
+let _e806 = phi_2885_;
+phi_2890_ = _e806;
 if _e806 {
 break;
 }
 let _e807 = local_13;
 local_7 = _e807;
-phi_1584_ = 0u;
+phi_1585_ = 0u;
 loop {
-let _e809 = phi_1584_;
+let _e809 = phi_1585_;
 let _e810 = (_e809 < 6u);
 if _e810 {
 if _e810 {
 } else {
-phi_2886_ = true;
+phi_2887_ = true;
 break;
 }
 let _e812 = local_7[_e809];
 if _e810 {
 } else {
-phi_2886_ = true;
+phi_2887_ = true;
 break;
 }
 let _e814 = local_12[_e809];
 local_12[_e809] = (_e814 + _e812);
-phi_1585_ = (_e809 + 1u);
+phi_1586_ = (_e809 + 1u);
 } else {
-phi_1585_ = u32();
+phi_1586_ = u32();
 }
-let _e818 = phi_1585_;
+let _e818 = phi_1586_;
 continue;
 continuing {
-phi_1584_ = _e818;
-phi_2886_ = _e806;
+phi_1585_ = _e818;
+phi_2887_ = _e806;
 break if !(_e810);
 }
 }
-let _e821 = phi_2886_;
-phi_2889_ = _e821;
+let _e821 = phi_2887_;
+phi_2890_ = _e821;
 if _e821 {
 break;
 }
-phi_2890_ = _e821;
-phi_466_ = (_e187 + 1u);
+phi_2891_ = _e821;
+phi_467_ = (_e187 + 1u);
 } else {
-phi_2890_ = _e185;
-phi_466_ = u32();
+phi_2891_ = _e185;
+phi_467_ = u32();
 }
-let _e824 = phi_2890_;
-let _e826 = phi_466_;
+let _e824 = phi_2891_;
+let _e826 = phi_467_;
 continue;
 continuing {
-phi_2883_ = _e824;
-phi_465_ = _e826;
-phi_2889_ = _e824;
+phi_2884_ = _e824;
+phi_466_ = _e826;
+phi_2890_ = _e824;
 break if !(_e188);
 }
 }
-let _e829 = phi_2889_;
+let _e829 = phi_2890_;
 if _e829 {
 break;
 }
 let _e830 = local_12;
-phi_2614_ = array<f32, 6>(_e830[0], _e830[1], _e830[2], _e830[3], _e830[4], _e830[5]);
+phi_2615_ = array<f32, 6>(_e830[0], _e830[1], _e830[2], _e830[3], _e830[4], _e830[5]);
 } else {
 local_5 = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
-phi_2785_ = false;
-phi_1621_ = 0u;
+phi_2786_ = false;
+phi_1622_ = 0u;
 loop {
-let _e839 = phi_2785_;
-let _e841 = phi_1621_;
+let _e839 = phi_2786_;
+let _e841 = phi_1622_;
 let _e842 = (_e841 < 16u);
 if _e842 {
 local_6 = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
-phi_2784_ = _e839;
-phi_1631_ = 0u;
+phi_2785_ = _e839;
+phi_1632_ = 0u;
 loop {
-let _e844 = phi_2784_;
-let _e846 = phi_1631_;
+let _e844 = phi_2785_;
+let _e846 = phi_1632_;
 let _e847 = (_e846 < 256u);
 if _e847 {
 let _e848 = (_e846 % 16u);
@@ -691,25 +703,25 @@ let _e1083 = select(1e-9f, _e1081, (_e1081 > 1e-9f));
 let _e1090 = (((1f - _e1077) / (_e1083 * sqrt(select(0f, _e1083, (_e1083 > 0f))))) * _e1042);
 let _e1099 = (bitcast<i32>(_e849) - bitcast<i32>(_e102));
 if (_e1099 < 0i) {
-phi_2155_ = -(_e1099);
+phi_2156_ = -(_e1099);
 } else {
-phi_2155_ = _e1099;
+phi_2156_ = _e1099;
 }
-let _e1103 = phi_2155_;
+let _e1103 = phi_2156_;
 let _e1107 = (bitcast<i32>(_e848) - bitcast<i32>(_e101));
 if (_e1107 < 0i) {
-phi_2166_ = -(_e1107);
+phi_2167_ = -(_e1107);
 } else {
-phi_2166_ = _e1107;
+phi_2167_ = _e1107;
 }
-let _e1111 = phi_2166_;
+let _e1111 = phi_2167_;
 let _e1116 = (bitcast<i32>(_e841) - bitcast<i32>(_e77.x));
 if (_e1116 < 0i) {
-phi_2178_ = -(_e1116);
+phi_2179_ = -(_e1116);
 } else {
-phi_2178_ = _e1116;
+phi_2179_ = _e1116;
 }
-let _e1120 = phi_2178_;
+let _e1120 = phi_2179_;
 local_4 = ((((_e1103 * 16i) + _e1111) * 16i) + _e1120);
 let _e1124 = global_3.member.member_19.member_3;
 let _e1125 = bitcast<i32>(_e1124);
@@ -771,123 +783,123 @@ let _e1348 = ((((((_e915 * _e1066) + (_e988 * _e1090)) * _e1146) * _e1327.y) * _
 let _e1349 = ((((((_e924 * _e1066) + (_e997 * _e1090)) * _e1156) * _e1327.z) * _e1339.member_2) * _e1346);
 let _e1353 = (((_e1347 + _e1348) + _e1349) * (1f / 3f));
 local_1 = array<f32, 6>(_e1347, _e1348, _e1349, (_e896 * _e1353), (_e897 * _e1353), (_e898 * _e1353));
-phi_2534_ = 0u;
+phi_2535_ = 0u;
 loop {
-let _e1359 = phi_2534_;
+let _e1359 = phi_2535_;
 let _e1360 = (_e1359 < 6u);
 if _e1360 {
 if _e1360 {
 } else {
-phi_2717_ = true;
+phi_2718_ = true;
 break;
 }
 let _e1362 = local_1[_e1359];
 if _e1360 {
 } else {
-phi_2717_ = true;
+phi_2718_ = true;
 break;
 }
 let _e1364 = local_6[_e1359];
 local_6[_e1359] = (_e1364 + _e1362);
-phi_2535_ = (_e1359 + 1u);
+phi_2536_ = (_e1359 + 1u);
 } else {
-phi_2535_ = u32();
+phi_2536_ = u32();
 }
-let _e1368 = phi_2535_;
+let _e1368 = phi_2536_;
 continue;
 continuing {
-phi_2534_ = _e1368;
-phi_2717_ = _e844;
+phi_2535_ = _e1368;
+phi_2718_ = _e844;
 break if !(_e1360);
 }
 }
-let _e1371 = phi_2717_;
-phi_2793_ = _e1371;
+let _e1371 = phi_2718_;
+phi_2794_ = _e1371;
 if _e1371 {
 break;
 }
-phi_2794_ = _e1371;
-phi_1632_ = (_e846 + 1u);
+phi_2795_ = _e1371;
+phi_1633_ = (_e846 + 1u);
 } else {
-phi_2794_ = _e844;
-phi_1632_ = u32();
+phi_2795_ = _e844;
+phi_1633_ = u32();
 }
-let _e1374 = phi_2794_;
-let _e1376 = phi_1632_;
+let _e1374 = phi_2795_;
+let _e1376 = phi_1633_;
 continue;
 continuing {
-phi_2784_ = _e1374;
-phi_1631_ = _e1376;
-phi_2793_ = _e1374;
+phi_2785_ = _e1374;
+phi_1632_ = _e1376;
+phi_2794_ = _e1374;
 break if !(_e847);
 }
 }
-let _e1379 = phi_2793_;
-phi_2798_ = _e1379;
+let _e1379 = phi_2794_;
+phi_2799_ = _e1379;
 if _e1379 {
 break;
 }
 let _e1380 = local_6;
 local = _e1380;
-phi_2578_ = 0u;
+phi_2579_ = 0u;
 loop {
-let _e1382 = phi_2578_;
+let _e1382 = phi_2579_;
 let _e1383 = (_e1382 < 6u);
 if _e1383 {
 if _e1383 {
 } else {
-phi_2795_ = true;
+phi_2796_ = true;
 break;
 }
 let _e1385 = local[_e1382];
 if _e1383 {
 } else {
-phi_2795_ = true;
+phi_2796_ = true;
 break;
 }
 let _e1387 = local_5[_e1382];
 local_5[_e1382] = (_e1387 + _e1385);
-phi_2579_ = (_e1382 + 1u);
+phi_2580_ = (_e1382 + 1u);
 } else {
-phi_2579_ = u32();
+phi_2580_ = u32();
 }
-let _e1391 = phi_2579_;
+let _e1391 = phi_2580_;
 continue;
 continuing {
-phi_2578_ = _e1391;
-phi_2795_ = _e1379;
+phi_2579_ = _e1391;
+phi_2796_ = _e1379;
 break if !(_e1383);
 }
 }
-let _e1394 = phi_2795_;
-phi_2798_ = _e1394;
+let _e1394 = phi_2796_;
+phi_2799_ = _e1394;
 if _e1394 {
 break;
 }
-phi_2799_ = _e1394;
-phi_1622_ = (_e841 + 1u);
+phi_2800_ = _e1394;
+phi_1623_ = (_e841 + 1u);
 } else {
-phi_2799_ = _e839;
-phi_1622_ = u32();
+phi_2800_ = _e839;
+phi_1623_ = u32();
 }
-let _e1397 = phi_2799_;
-let _e1399 = phi_1622_;
+let _e1397 = phi_2800_;
+let _e1399 = phi_1623_;
 continue;
 continuing {
-phi_2785_ = _e1397;
-phi_1621_ = _e1399;
-phi_2798_ = _e1397;
+phi_2786_ = _e1397;
+phi_1622_ = _e1399;
+phi_2799_ = _e1397;
 break if !(_e842);
 }
 }
-let _e1402 = phi_2798_;
+let _e1402 = phi_2799_;
 if _e1402 {
 break;
 }
 let _e1403 = local_5;
-phi_2614_ = array<f32, 6>(_e1403[0], _e1403[1], _e1403[2], _e1403[3], _e1403[4], _e1403[5]);
+phi_2615_ = array<f32, 6>(_e1403[0], _e1403[1], _e1403[2], _e1403[3], _e1403[4], _e1403[5]);
 }
-let _e1412 = phi_2614_;
+let _e1412 = phi_2615_;
 let _e1420 = select(0f, _e1412[0], (_e1412[0] > 0f));
 let _e1422 = select(0f, _e1412[1], (_e1412[1] > 0f));
 let _e1424 = select(0f, _e1412[2], (_e1412[2] > 0f));

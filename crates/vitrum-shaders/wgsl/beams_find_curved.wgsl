@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,38 +150,38 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
-}
-struct type_23 {
-member: type_22,
+member_18: type_21,
+member_19: type_22,
 }
 struct type_24 {
+member: type_23,
+}
+struct type_25 {
 member: type_5,
 member_1: type_5,
 }
-struct type_25 {
+struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_26 {
+struct type_27 {
 member: i32,
 member_1: i32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -186,23 +198,23 @@ var local_11: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_2151_: type_25;
-var phi_2408_: type_26;
-var phi_2542_: i32;
-var phi_2545_: bool;
-var phi_2562_: i32;
-var phi_2563_: i32;
-var phi_3772_: type_24;
-var phi_3773_: type_24;
-var phi_3776_: i32;
-var phi_3779_: bool;
-var phi_3777_: i32;
-var phi_3780_: bool;
-var phi_3875_: bool;
-var phi_3876_: bool;
+var phi_2152_: type_26;
+var phi_2409_: type_27;
 var phi_2543_: i32;
 var phi_2546_: bool;
-var phi_3878_: bool;
+var phi_2563_: i32;
+var phi_2564_: i32;
+var phi_3773_: type_25;
+var phi_3774_: type_25;
+var phi_3777_: i32;
+var phi_3780_: bool;
+var phi_3778_: i32;
+var phi_3781_: bool;
+var phi_3876_: bool;
+var phi_3877_: bool;
+var phi_2544_: i32;
+var phi_2547_: bool;
+var phi_3879_: bool;
 var local_15: bool;
 var local_16: bool;
 let _e61 = global;
@@ -470,11 +482,11 @@ let _e757 = (((_e527.member * _e214) + (_e527.member_1 * _e227)) + (_e527.member
 if (_e534 == 0u) {
 let _e760 = (_e757 == 0f);
 let _e762 = (-(_e752) / select(_e757, 1e-30f, _e760));
-phi_2151_ = type_25(select(0f, select(0f, _e762, (_e762 > 0f)), (_e757 > 0f)), select(select(_e448, select(_e448, _e762, (_e762 < _e448)), (_e757 < 0f)), -1f, (_e760 && (_e752 < 0f))));
+phi_2152_ = type_26(select(0f, select(0f, _e762, (_e762 > 0f)), (_e757 > 0f)), select(select(_e448, select(_e448, _e762, (_e762 < _e448)), (_e757 < 0f)), -1f, (_e760 && (_e752 < 0f))));
 } else {
-phi_2151_ = type_25(0f, _e448);
+phi_2152_ = type_26(0f, _e448);
 }
-let _e777 = phi_2151_;
+let _e777 = phi_2152_;
 let _e786 = ((_e176 + (_e214 * _e777.member)) - _e497.member);
 let _e787 = ((_e188 + (_e227 * _e777.member)) - _e497.member_1);
 let _e788 = ((_e201 + (_e240 * _e777.member)) - _e497.member_2);
@@ -499,11 +511,11 @@ let _e869 = select(_e820, _e857, (_e857 > _e820));
 let _e873 = select(_e820, _e867, (_e867 > _e820));
 let _e876 = select(select(1e6f, _e869, (_e869 < 1e6f)), select(1e6f, _e873, (_e873 < 1e6f)), _e735);
 if _e735 {
-phi_2408_ = type_26(_e593, _e587);
+phi_2409_ = type_27(_e593, _e587);
 } else {
-phi_2408_ = type_26(_e587, _e593);
+phi_2409_ = type_27(_e587, _e593);
 }
-let _e880 = phi_2408_;
+let _e880 = phi_2409_;
 let _e884 = f32((_e880.member - 1i));
 let _e886 = f32((_e880.member_1 - 1i));
 let _e888 = select(_e876, _e829, (_e829 < _e876));
@@ -527,25 +539,25 @@ let _e963 = select(_e961, _e890, (_e890 > _e961));
 let _e965 = select(_e958, _e955, (_e955 > _e958));
 let _e969 = select((_e890 - 1f), select(_e965, _e894, (_e894 < _e965)), (_e777.member_1 > _e777.member));
 if ((_e746 > 0f) && (_e963 <= _e969)) {
-phi_2542_ = 0i;
-phi_2545_ = false;
+phi_2543_ = 0i;
+phi_2546_ = false;
 loop {
-let _e974 = phi_2542_;
-let _e976 = phi_2545_;
+let _e974 = phi_2543_;
+let _e976 = phi_2546_;
 local_16 = _e976;
 let _e977 = (_e974 < 4i);
 if _e977 {
 let _e978 = (_e974 < 2i);
 let _e981 = (1i - (2i * (_e974 & 1i)));
 if _e978 {
-phi_2562_ = _e163;
-phi_2563_ = (_e162 + _e981);
+phi_2563_ = _e163;
+phi_2564_ = (_e162 + _e981);
 } else {
-phi_2562_ = (_e163 + _e981);
-phi_2563_ = _e162;
+phi_2563_ = (_e163 + _e981);
+phi_2564_ = _e162;
 }
-let _e985 = phi_2562_;
-let _e987 = phi_2563_;
+let _e985 = phi_2563_;
+let _e987 = phi_2564_;
 let _e996 = ((_e985 * _e160) + _e987);
 if ((((_e987 >= 0i) && (_e987 < _e160)) && (_e985 >= 0i)) && (_e985 < _e161)) {
 local_3 = _e111;
@@ -707,19 +719,19 @@ let _e1423 = (_e1416 * _e607);
 let _e1432 = type_5(select(_e1366, _e1367, _e735), select(_e1367, _e1366, _e735), (((((_e527.member * _e1334) + (_e527.member_1 * _e1335)) + (_e527.member_2 * _e1336)) + (_e1348 * _e610)) + (_e1360 * _e614)));
 let _e1435 = type_5(select(_e1422, _e1423, _e735), select(_e1423, _e1422, _e735), (((((_e527.member * _e1390) + (_e527.member_1 * _e1391)) + (_e527.member_2 * _e1392)) + (_e1404 * _e610)) + (_e1416 * _e614)));
 if _e978 {
-phi_3772_ = type_24(_e1432, _e1435);
-phi_3773_ = type_24(_e740, _e743);
+phi_3773_ = type_25(_e1432, _e1435);
+phi_3774_ = type_25(_e740, _e743);
 } else {
-phi_3772_ = type_24(_e1435, _e1432);
-phi_3773_ = type_24(_e743, _e740);
+phi_3773_ = type_25(_e1435, _e1432);
+phi_3774_ = type_25(_e743, _e740);
 }
-let _e1441 = phi_3772_;
-let _e1443 = phi_3773_;
-phi_3776_ = 0i;
-phi_3779_ = _e976;
+let _e1441 = phi_3773_;
+let _e1443 = phi_3774_;
+phi_3777_ = 0i;
+phi_3780_ = _e976;
 loop {
-let _e1446 = phi_3776_;
-let _e1448 = phi_3779_;
+let _e1446 = phi_3777_;
+let _e1448 = phi_3780_;
 local_15 = _e1448;
 let _e1449 = (_e1446 < 5i);
 if _e1449 {
@@ -732,53 +744,53 @@ let _e1507 = bitcast<f32>((bitcast<u32>((((select(_e1310, _e1311, _e735) * _e145
 let _e1511 = bitcast<f32>((bitcast<u32>((_e1498 - _e1478)) & 2147483647u));
 let _e1518 = (bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u)));
 let _e1528 = select(_e1511, _e1507, (_e1507 > _e1511));
-phi_3777_ = (_e1446 + 1i);
-phi_3780_ = (_e1448 || (((_e1507 <= (2f * (((_e1518 + bitcast<f32>((bitcast<u32>(((_e1441.member.member * _e1454) + ((_e1441.member.member_1 * _e1458) + _e1441.member.member_2))) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e1498) & 2147483647u))) + _e746))) && (_e1528 > (0.5f * _e746))) && (((((_e409 + _e422) + _e435) / select(1.1754944e-38f, _e491, (_e491 > 1.1754944e-38f))) * _e1528) > (0.1f * select(_e746, _e1518, (_e1518 > _e746))))));
+phi_3778_ = (_e1446 + 1i);
+phi_3781_ = (_e1448 || (((_e1507 <= (2f * (((_e1518 + bitcast<f32>((bitcast<u32>(((_e1441.member.member * _e1454) + ((_e1441.member.member_1 * _e1458) + _e1441.member.member_2))) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e1498) & 2147483647u))) + _e746))) && (_e1528 > (0.5f * _e746))) && (((((_e409 + _e422) + _e435) / select(1.1754944e-38f, _e491, (_e491 > 1.1754944e-38f))) * _e1528) > (0.1f * select(_e746, _e1518, (_e1518 > _e746))))));
 } else {
-phi_3777_ = i32();
-phi_3780_ = bool();
+phi_3778_ = i32();
+phi_3781_ = bool();
 }
-let _e1544 = phi_3777_;
-let _e1546 = phi_3780_;
+let _e1544 = phi_3778_;
+let _e1546 = phi_3781_;
 continue;
 continuing {
-phi_3776_ = _e1544;
-phi_3779_ = _e1546;
+phi_3777_ = _e1544;
+phi_3780_ = _e1546;
 break if !(_e1449);
 }
 }
 let _e1577 = local_15;
-phi_3875_ = _e1577;
-} else {
-phi_3875_ = _e976;
-}
-let _e1549 = phi_3875_;
-phi_3876_ = _e1549;
+phi_3876_ = _e1577;
 } else {
 phi_3876_ = _e976;
 }
-let _e1551 = phi_3876_;
-phi_2543_ = (_e974 + 1i);
-phi_2546_ = _e1551;
+let _e1549 = phi_3876_;
+phi_3877_ = _e1549;
 } else {
-phi_2543_ = i32();
-phi_2546_ = bool();
+phi_3877_ = _e976;
 }
-let _e1554 = phi_2543_;
-let _e1556 = phi_2546_;
+let _e1551 = phi_3877_;
+phi_2544_ = (_e974 + 1i);
+phi_2547_ = _e1551;
+} else {
+phi_2544_ = i32();
+phi_2547_ = bool();
+}
+let _e1554 = phi_2544_;
+let _e1556 = phi_2547_;
 continue;
 continuing {
-phi_2542_ = _e1554;
-phi_2545_ = _e1556;
+phi_2543_ = _e1554;
+phi_2546_ = _e1556;
 break if !(_e977);
 }
 }
 let _e1583 = local_16;
-phi_3878_ = _e1583;
+phi_3879_ = _e1583;
 } else {
-phi_3878_ = false;
+phi_3879_ = false;
 }
-let _e1559 = phi_3878_;
+let _e1559 = phi_3879_;
 global_2.member[_e77] = select(_e88, 1f, _e1559);
 }
 }

@@ -57,10 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
 struct type_13 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -80,11 +96,7 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_18 {
-member: u32,
-member_1: u32,
-}
-struct type_19 {
+struct type_20 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -95,7 +107,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -114,7 +126,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -128,7 +140,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_22 {
+struct type_23 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -140,15 +152,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
-member_1: type_18,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -158,71 +170,72 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_19,
-member_12: type_20,
-member_13: type_21,
+member_11: type_20,
+member_12: type_21,
+member_13: type_22,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_22,
-member_19: type_23,
-}
-struct type_25 {
-member: type_24,
+member_18: type_23,
+member_19: type_24,
 }
 struct type_26 {
+member: type_25,
+}
+struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 member_4: f32,
 member_5: bool,
+member_6: bool,
 }
-struct type_27 {
+struct type_28 {
 member: i32,
 member_1: i32,
 member_2: f32,
 }
-struct type_30 {
+struct type_31 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_25;
+var<storage> global_1: type_26;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(3)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(4)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(6)
-var<storage, read_write> global_5: type_13;
+var<storage, read_write> global_5: type_15;
 @group(0) @binding(2)
-var<storage> global_6: type_13;
+var<storage> global_6: type_15;
 @group(0) @binding(5)
-var<storage> global_7: type_13;
+var<storage> global_7: type_15;
 @group(0) @binding(7)
-var<storage, read_write> global_8: type_30;
+var<storage, read_write> global_8: type_31;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_406_: bool;
-var phi_496_: u32;
-var phi_560_: type_27;
-var phi_2237_: type_26;
-var phi_2349_: vec3<f32>;
-var phi_2403_: type_17;
-var phi_2406_: i32;
-var phi_2408_: type_27;
-var phi_2701_: i32;
-var phi_3068_: type_17;
-var phi_3069_: type_17;
-var phi_3076_: type_27;
-var phi_2404_: type_17;
+var phi_407_: bool;
+var phi_497_: u32;
+var phi_561_: type_28;
+var phi_2238_: type_27;
+var phi_2350_: vec3<f32>;
+var phi_2404_: type_19;
 var phi_2407_: i32;
-var phi_2409_: type_27;
-var local_2: type_27;
+var phi_2409_: type_28;
+var phi_2702_: i32;
+var phi_3069_: type_19;
+var phi_3070_: type_19;
+var phi_3077_: type_28;
+var phi_2405_: type_19;
+var phi_2408_: i32;
+var phi_2410_: type_28;
+var local_2: type_28;
 var local_3: i32;
 var local_4: f32;
 let _e72 = global;
@@ -271,11 +284,11 @@ let _e215 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
 let _e217 = select(_e215, _e213, (_e213 < _e215));
 let _e223 = global_7.member[bitcast<u32>(select(0i, _e217, (_e217 > 0i)))];
 if _e192 {
-phi_406_ = (select(_e223, 1f, (_e212 == 16i)) == 0f);
+phi_407_ = (select(_e223, 1f, (_e212 == 16i)) == 0f);
 } else {
-phi_406_ = (_e177 != -1i);
+phi_407_ = (_e177 != -1i);
 }
-let _e229 = phi_406_;
+let _e229 = phi_407_;
 let _e233 = global_1.member.member_17;
 if ((!(((_e138 == _e183) && ((_e145 >= _e186) || (_e131 > 0f)))) && _e229) && ((_e233 & 4u) != 0u)) {
 local = _e155;
@@ -290,11 +303,11 @@ let _e251 = local_1;
 let _e252 = ((36i * _e249) + _e251);
 let _e254 = select(_e162, _e252, (_e252 < _e162));
 let _e259 = global_2.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
-phi_496_ = select(0u, 3u, ((_e247 == 2f) && (select(0i, select(select(i32(_e259), i32(-2147483648), (_e259 < -2147483600f)), 2147483647i, (_e259 > 2147483500f)), (_e259 == _e259)) == _e183)));
+phi_497_ = select(0u, 3u, ((_e247 == 2f) && (select(0i, select(select(i32(_e259), i32(-2147483648), (_e259 < -2147483600f)), 2147483647i, (_e259 > 2147483500f)), (_e259 == _e259)) == _e183)));
 } else {
-phi_496_ = 0u;
+phi_497_ = 0u;
 }
-let _e271 = phi_496_;
+let _e271 = phi_497_;
 if (_e271 > 0u) {
 if (arrayLength((&global_8.member)) >= 3u) {
 let _e280 = atomicLoad((&global_8.member[0u]));
@@ -307,11 +320,11 @@ atomicStore((&global_8.member[2u]), 1u);
 }
 if (_e271 > 1u) {
 if (_e138 != _e183) {
-phi_560_ = type_27(_e183, 0i, 0f);
+phi_561_ = type_28(_e183, 0i, 0f);
 } else {
-phi_560_ = type_27(_e138, _e145, _e131);
+phi_561_ = type_28(_e138, _e145, _e131);
 }
-let _e291 = phi_560_;
+let _e291 = phi_561_;
 let _e293 = select(_e162, _e159, (_e159 < _e162));
 let _e299 = global_2.member[bitcast<u32>(select(0i, _e293, (_e293 > 0i)))];
 let _e301 = bitcast<i32>((_e154 + _e158));
@@ -486,7 +499,7 @@ let _e937 = global_4.member[bitcast<u32>(select(0i, _e931, (_e931 > 0i)))];
 let _e945 = (_e846 + 9i);
 let _e947 = select(_e848, _e945, (_e945 < _e848));
 let _e953 = global_4.member[bitcast<u32>(select(0i, _e947, (_e947 > 0i)))];
-phi_2237_ = type_26(_e495, vec3<f32>((_e632 * _e713), (_e635 * _e713), (_e638 * _e713)), vec3<f32>((_e811 * _e824), (_e812 * _e824), (_e813 * _e824)), vec3<f32>((((_e856 * _e700) + (_e886 * _e701)) + (_e919 * _e702)), (((_e865 * _e700) + (_e895 * _e701)) + (_e928 * _e702)), (((_e874 * _e700) + (_e904 * _e701)) + (_e937 * _e702))), _e953, true);
+phi_2238_ = type_27(_e495, vec3<f32>((_e632 * _e713), (_e635 * _e713), (_e638 * _e713)), vec3<f32>((_e811 * _e824), (_e812 * _e824), (_e813 * _e824)), vec3<f32>((((_e856 * _e700) + (_e886 * _e701)) + (_e919 * _e702)), (((_e865 * _e700) + (_e895 * _e701)) + (_e928 * _e702)), (((_e874 * _e700) + (_e904 * _e701)) + (_e937 * _e702))), _e953, true, false);
 } else {
 let _e499 = (_e393 == -3i);
 let _e505 = global_1.member.member_14.member_1.member.member;
@@ -494,9 +507,9 @@ let _e510 = global_1.member.member_14.member_1.member_1;
 let _e516 = global_1.member.member_14.member.member.member;
 let _e521 = global_1.member.member_14.member.member_1;
 let _e531 = vec3<f32>(select(_e516.member, _e505.member, _e499), select(_e516.member_1, _e505.member_1, _e499), select(_e516.member_2, _e505.member_2, _e499));
-phi_2237_ = type_26(_e495, _e531, _e531, vec3<f32>(select(_e521.member, _e510.member, _e499), select(_e521.member_1, _e510.member_1, _e499), select(_e521.member_2, _e510.member_2, _e499)), 0f, false);
+phi_2238_ = type_27(_e495, _e531, _e531, vec3<f32>(select(_e521.member, _e510.member, _e499), select(_e521.member_1, _e510.member_1, _e499), select(_e521.member_2, _e510.member_2, _e499)), 0f, false, _e499);
 }
-let _e956 = phi_2237_;
+let _e956 = phi_2238_;
 let _e960 = global_1.member.member_10.member;
 let _e961 = (_e960 == 0u);
 let _e965 = global_1.member.member_10.member_3;
@@ -507,21 +520,21 @@ let _e980 = (((_e971 * _e971) + (_e973 * _e973)) + (_e975 * _e975));
 let _e983 = sqrt(select(0f, _e980, (_e980 > 0f)));
 if _e961 {
 let _e992 = global_1.member.member_10.member_1;
-phi_2349_ = vec3<f32>(-(_e992.member), -(_e992.member_1), -(_e992.member_2));
+phi_2350_ = vec3<f32>(-(_e992.member), -(_e992.member_1), -(_e992.member_2));
 } else {
 let _e984 = (1f / _e983);
-phi_2349_ = vec3<f32>((_e971 * _e984), (_e973 * _e984), (_e975 * _e984));
+phi_2350_ = vec3<f32>((_e971 * _e984), (_e973 * _e984), (_e975 * _e984));
 }
-let _e1001 = phi_2349_;
+let _e1001 = phi_2350_;
 let _e1016 = select(0.05f, -(0.05f), ((((_e956.member_1.x * _e1001.x) + (_e956.member_1.y * _e1001.y)) + (_e956.member_1.z * _e1001.z)) < 0f));
 let _e1022 = select(_e983, 1e30f, _e961);
-phi_2403_ = type_17((_e956.member + vec3<f32>((_e956.member_1.x * _e1016), (_e956.member_1.y * _e1016), (_e956.member_1.z * _e1016))), _e1001, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e291.member_1, -1i, _e1022);
-phi_2406_ = 0i;
-phi_2408_ = _e291;
+phi_2404_ = type_19((_e956.member + vec3<f32>((_e956.member_1.x * _e1016), (_e956.member_1.y * _e1016), (_e956.member_1.z * _e1016))), _e1001, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e291.member_1, -1i, _e1022);
+phi_2407_ = 0i;
+phi_2409_ = _e291;
 loop {
-let _e1026 = phi_2403_;
-let _e1028 = phi_2406_;
-let _e1030 = phi_2408_;
+let _e1026 = phi_2404_;
+let _e1028 = phi_2407_;
+let _e1030 = phi_2409_;
 local_2 = _e1030;
 let _e1037 = (((_e1028 < 1024i) && (_e1026.member_15 < _e186)) && (_e1030.member_2 <= 0f));
 local_3 = _e1026.member_15;
@@ -569,15 +582,15 @@ let _e1166 = (_e1046 + 6i);
 let _e1168 = select(_e1072, _e1166, (_e1166 < _e1072));
 let _e1174 = global_6.member[bitcast<u32>(select(0i, _e1168, (_e1168 > 0i)))];
 if _e1165 {
-phi_2701_ = (_e1026.member_15 + 1i);
+phi_2702_ = (_e1026.member_15 + 1i);
 } else {
 let _e1182 = (_e1046 + 7i);
 let _e1184 = select(_e1072, _e1182, (_e1182 < _e1072));
 let _e1190 = global_6.member[bitcast<u32>(select(0i, _e1184, (_e1184 > 0i)))];
-phi_2701_ = select(0i, select(select(i32(_e1190), i32(-2147483648), (_e1190 < -2147483600f)), 2147483647i, (_e1190 > 2147483500f)), (_e1190 == _e1190));
+phi_2702_ = select(0i, select(select(i32(_e1190), i32(-2147483648), (_e1190 < -2147483600f)), 2147483647i, (_e1190 > 2147483500f)), (_e1190 == _e1190));
 }
-let _e1200 = phi_2701_;
-let _e1218 = type_17(_e1026.member, _e1026.member_1, _e1026.member_2, _e1026.member_3, _e1026.member_4, _e1026.member_5, _e1026.member_6, _e1026.member_7, _e1026.member_8, _e1026.member_9, _e1026.member_10, _e1026.member_11, _e1026.member_12, _e1026.member_13, _e1026.member_14, _e1200, _e1026.member_16, _e1026.member_17);
+let _e1200 = phi_2702_;
+let _e1218 = type_19(_e1026.member, _e1026.member_1, _e1026.member_2, _e1026.member_3, _e1026.member_4, _e1026.member_5, _e1026.member_6, _e1026.member_7, _e1026.member_8, _e1026.member_9, _e1026.member_10, _e1026.member_11, _e1026.member_12, _e1026.member_13, _e1026.member_14, _e1200, _e1026.member_16, _e1026.member_17);
 let _e1219 = select(-1i, select(0i, select(select(i32(_e1174), i32(-2147483648), (_e1174 < -2147483600f)), 2147483647i, (_e1174 > 2147483500f)), (_e1174 == _e1174)), _e1165);
 if (_e1219 >= 0i) {
 let _e1225 = bitcast<f32>((bitcast<u32>(_e1026.member_1.x) & 2147483647u));
@@ -641,38 +654,38 @@ let _e1396 = (!(((((_e1374 < 0f) || (_e1377 < 0f)) || (_e1380 < 0f)) && (((_e137
 let _e1404 = select(1e30f, ((((_e1374 * (_e1284 * _e1246)) + (_e1377 * (_e1325 * _e1246))) + (_e1380 * (_e1366 * _e1246))) / select(1f, _e1382, _e1396)), _e1396);
 let _e1406 = select(1e30f, _e1404, (_e1404 > 1e-3f));
 if (_e1406 < _e1026.member_17) {
-phi_3068_ = type_17(_e1218.member, _e1218.member_1, _e1218.member_2, _e1218.member_3, _e1218.member_4, _e1218.member_5, _e1218.member_6, _e1218.member_7, _e1218.member_8, _e1218.member_9, _e1218.member_10, _e1218.member_11, _e1218.member_12, _e1218.member_13, _e1218.member_14, _e1218.member_15, _e1218.member_16, _e1406);
-} else {
-phi_3068_ = _e1218;
-}
-let _e1427 = phi_3068_;
-phi_3069_ = _e1427;
+phi_3069_ = type_19(_e1218.member, _e1218.member_1, _e1218.member_2, _e1218.member_3, _e1218.member_4, _e1218.member_5, _e1218.member_6, _e1218.member_7, _e1218.member_8, _e1218.member_9, _e1218.member_10, _e1218.member_11, _e1218.member_12, _e1218.member_13, _e1218.member_14, _e1218.member_15, _e1218.member_16, _e1406);
 } else {
 phi_3069_ = _e1218;
 }
-let _e1429 = phi_3069_;
+let _e1427 = phi_3069_;
+phi_3070_ = _e1427;
+} else {
+phi_3070_ = _e1218;
+}
+let _e1429 = phi_3070_;
 if (_e1429.member_17 < _e1022) {
-phi_3076_ = type_27(_e1030.member, _e1030.member_1, 1f);
+phi_3077_ = type_28(_e1030.member, _e1030.member_1, 1f);
 } else {
-phi_3076_ = _e1030;
+phi_3077_ = _e1030;
 }
-let _e1436 = phi_3076_;
-phi_2404_ = _e1429;
-phi_2407_ = (_e1028 + 1i);
-phi_2409_ = _e1436;
+let _e1436 = phi_3077_;
+phi_2405_ = _e1429;
+phi_2408_ = (_e1028 + 1i);
+phi_2410_ = _e1436;
 } else {
-phi_2404_ = type_17();
-phi_2407_ = i32();
-phi_2409_ = type_27();
+phi_2405_ = type_19();
+phi_2408_ = i32();
+phi_2410_ = type_28();
 }
-let _e1438 = phi_2404_;
-let _e1440 = phi_2407_;
-let _e1442 = phi_2409_;
+let _e1438 = phi_2405_;
+let _e1440 = phi_2408_;
+let _e1442 = phi_2410_;
 continue;
 continuing {
-phi_2403_ = _e1438;
-phi_2406_ = _e1440;
-phi_2408_ = _e1442;
+phi_2404_ = _e1438;
+phi_2407_ = _e1440;
+phi_2409_ = _e1442;
 break if !(_e1037);
 }
 }

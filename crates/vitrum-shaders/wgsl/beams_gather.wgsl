@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_17 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_21 {
+struct type_22 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
-member_1: type_17,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,20 +150,20 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_18,
-member_12: type_19,
-member_13: type_20,
+member_11: type_19,
+member_12: type_20,
+member_13: type_21,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_21,
-member_19: type_22,
-}
-struct type_24 {
-member: type_23,
+member_18: type_22,
+member_19: type_23,
 }
 struct type_25 {
+member: type_24,
+}
+struct type_26 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -160,17 +172,17 @@ member_4: u32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_24;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(4)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_13;
+var<storage, read_write> global_6: type_15;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -195,7 +207,7 @@ var local_19: u32;
 var local_20: u32;
 var local_21: u32;
 var local_22: u32;
-var local_23: type_17;
+var local_23: type_13;
 var local_24: u32;
 var local_25: u32;
 var local_26: u32;
@@ -204,124 +216,124 @@ var local_28: u32;
 var local_29: u32;
 var local_30: u32;
 var local_31: u32;
-var local_32: type_17;
+var local_32: type_13;
 var local_33: u32;
-var local_34: type_25;
+var local_34: type_26;
 var local_35: i32;
 var local_36: i32;
-var phi_2006_: vec3<f32>;
-var phi_2009_: vec3<f32>;
-var phi_2011_: u32;
-var phi_2031_: u32;
-var phi_2032_: u32;
-var phi_2044_: u32;
-var phi_2045_: u32;
-var local_37: u32;
-var local_38: u32;
-var phi_2062_: u32;
-var phi_2063_: u32;
-var phi_2075_: u32;
-var phi_2076_: u32;
-var local_39: u32;
-var local_40: u32;
-var local_41: u32;
-var phi_2101_: u32;
-var phi_2102_: u32;
-var local_42: u32;
-var local_43: u32;
-var phi_2119_: u32;
-var phi_2120_: u32;
-var local_44: u32;
-var local_45: u32;
-var phi_2142_: u32;
-var phi_2143_: u32;
-var phi_2155_: u32;
-var phi_2156_: u32;
-var local_46: u32;
-var local_47: u32;
-var local_48: u32;
-var phi_2192_: u32;
-var local_49: u32;
-var phi_2206_: vec3<f32>;
-var phi_2209_: vec3<f32>;
-var phi_2211_: type_17;
-var phi_3088_: bool;
-var phi_3098_: u32;
-var phi_3122_: u32;
-var phi_3143_: u32;
-var phi_3146_: u32;
-var phi_3183_: u32;
-var phi_3254_: u32;
-var phi_3325_: u32;
-var phi_3396_: u32;
-var phi_3467_: u32;
-var phi_3538_: u32;
-var phi_3598_: u32;
-var phi_3144_: u32;
-var phi_3147_: u32;
-var phi_3898_: u32;
-var phi_3900_: vec3<f32>;
-var phi_3903_: vec3<f32>;
-var phi_3905_: u32;
-var phi_3934_: u32;
-var phi_3980_: i32;
-var phi_4827_: u32;
-var phi_4830_: f32;
-var phi_4965_: i32;
-var phi_4978_: i32;
-var phi_4992_: i32;
-var phi_5308_: i32;
-var phi_5321_: i32;
-var phi_5335_: i32;
-var phi_4828_: u32;
-var phi_4831_: f32;
-var phi_5540_: f32;
-var phi_5553_: u32;
-var phi_5556_: f32;
-var phi_5691_: i32;
-var phi_5704_: i32;
-var phi_5718_: i32;
-var phi_6034_: i32;
-var phi_6047_: i32;
-var phi_6061_: i32;
-var phi_5554_: u32;
-var phi_5557_: f32;
-var phi_6266_: f32;
-var phi_6388_: i32;
-var phi_6401_: i32;
-var phi_6415_: i32;
-var phi_6615_: f32;
-var phi_6958_: f32;
-var phi_7077_: vec3<f32>;
-var phi_7116_: vec3<f32>;
-var phi_7117_: vec3<f32>;
-var phi_3901_: vec3<f32>;
-var phi_3904_: vec3<f32>;
-var phi_3906_: u32;
-var phi_7127_: type_17;
-var phi_7128_: type_17;
-var phi_7149_: vec3<f32>;
-var phi_7150_: vec3<f32>;
-var phi_7151_: type_17;
-var phi_2207_: vec3<f32>;
-var phi_2210_: vec3<f32>;
-var phi_2212_: type_17;
 var phi_2007_: vec3<f32>;
 var phi_2010_: vec3<f32>;
 var phi_2012_: u32;
+var phi_2032_: u32;
+var phi_2033_: u32;
+var phi_2045_: u32;
+var phi_2046_: u32;
+var local_37: u32;
+var local_38: u32;
+var phi_2063_: u32;
+var phi_2064_: u32;
+var phi_2076_: u32;
+var phi_2077_: u32;
+var local_39: u32;
+var local_40: u32;
+var local_41: u32;
+var phi_2102_: u32;
+var phi_2103_: u32;
+var local_42: u32;
+var local_43: u32;
+var phi_2120_: u32;
+var phi_2121_: u32;
+var local_44: u32;
+var local_45: u32;
+var phi_2143_: u32;
+var phi_2144_: u32;
+var phi_2156_: u32;
+var phi_2157_: u32;
+var local_46: u32;
+var local_47: u32;
+var local_48: u32;
+var phi_2193_: u32;
+var local_49: u32;
+var phi_2207_: vec3<f32>;
+var phi_2210_: vec3<f32>;
+var phi_2212_: type_13;
+var phi_3089_: bool;
+var phi_3099_: u32;
+var phi_3123_: u32;
+var phi_3144_: u32;
+var phi_3147_: u32;
+var phi_3184_: u32;
+var phi_3255_: u32;
+var phi_3326_: u32;
+var phi_3397_: u32;
+var phi_3468_: u32;
+var phi_3539_: u32;
+var phi_3599_: u32;
+var phi_3145_: u32;
+var phi_3148_: u32;
+var phi_3899_: u32;
+var phi_3901_: vec3<f32>;
+var phi_3904_: vec3<f32>;
+var phi_3906_: u32;
+var phi_3935_: u32;
+var phi_3981_: i32;
+var phi_4828_: u32;
+var phi_4831_: f32;
+var phi_4966_: i32;
+var phi_4979_: i32;
+var phi_4993_: i32;
+var phi_5309_: i32;
+var phi_5322_: i32;
+var phi_5336_: i32;
+var phi_4829_: u32;
+var phi_4832_: f32;
+var phi_5541_: f32;
+var phi_5554_: u32;
+var phi_5557_: f32;
+var phi_5692_: i32;
+var phi_5705_: i32;
+var phi_5719_: i32;
+var phi_6035_: i32;
+var phi_6048_: i32;
+var phi_6062_: i32;
+var phi_5555_: u32;
+var phi_5558_: f32;
+var phi_6267_: f32;
+var phi_6389_: i32;
+var phi_6402_: i32;
+var phi_6416_: i32;
+var phi_6616_: f32;
+var phi_6959_: f32;
+var phi_7078_: vec3<f32>;
+var phi_7117_: vec3<f32>;
+var phi_7118_: vec3<f32>;
+var phi_3902_: vec3<f32>;
+var phi_3905_: vec3<f32>;
+var phi_3907_: u32;
+var phi_7128_: type_13;
+var phi_7129_: type_13;
+var phi_7150_: vec3<f32>;
+var phi_7151_: vec3<f32>;
+var phi_7152_: type_13;
+var phi_2208_: vec3<f32>;
+var phi_2211_: vec3<f32>;
+var phi_2213_: type_13;
+var phi_2008_: vec3<f32>;
+var phi_2011_: vec3<f32>;
+var phi_2013_: u32;
 var local_50: vec3<f32>;
 var local_51: vec3<f32>;
 var local_52: vec3<f32>;
 var local_53: vec3<f32>;
 var local_54: vec3<f32>;
 var local_55: vec3<f32>;
-var phi_7205_: array<f32, 22>;
+var phi_7206_: array<f32, 22>;
 var local_56: u32;
 var local_57: f32;
 var local_58: f32;
 var local_59: vec3<f32>;
 var local_60: vec3<f32>;
-var local_61: type_17;
+var local_61: type_13;
 var local_62: vec3<f32>;
 var local_63: vec3<f32>;
 let _e140 = global;
@@ -557,7 +569,7 @@ let _e883 = (_e882 > _e880);
 let _e884 = select(0f, _e880, _e883);
 let _e885 = select(0f, _e882, _e883);
 if ((_e720 || (_e885 <= _e884)) || ((((_e806 + _e807) + _e808) * (1f / 3f)) < 0.01f)) {
-phi_7205_ = array<f32, 22>(_e177, _e187, _e198, _e209, _e220, _e231, _e242, _e253, _e264, _e275, _e286, _e297, _e308, _e319, _e330, _e341, _e352, _e363, _e374, _e385, _e396, _e407);
+phi_7206_ = array<f32, 22>(_e177, _e187, _e198, _e209, _e220, _e231, _e242, _e253, _e264, _e275, _e286, _e297, _e308, _e319, _e330, _e341, _e352, _e363, _e374, _e385, _e396, _e407);
 } else {
 let _e898 = (((_e602 * _e602) + (_e613 * _e613)) + (_e624 * _e624));
 let _e906 = (((_e635 * _e635) + (_e646 * _e646)) + (_e657 * _e657));
@@ -575,13 +587,13 @@ let _e970 = (((_e536 * _e536) + (_e547 * _e547)) + (_e558 * _e558));
 let _e978 = (((_e569 * _e569) + (_e580 * _e580)) + (_e591 * _e591));
 let _e983 = (0.5f * (sqrt(select(0f, _e970, (_e970 > 0f))) + sqrt(select(0f, _e978, (_e978 > 0f)))));
 let _e987 = global_1.member.member_11.member;
-phi_2006_ = vec3<f32>(0f, 0f, 0f);
-phi_2009_ = vec3<f32>(0f, 0f, 0f);
-phi_2011_ = 0u;
+phi_2007_ = vec3<f32>(0f, 0f, 0f);
+phi_2010_ = vec3<f32>(0f, 0f, 0f);
+phi_2012_ = 0u;
 loop {
-let _e991 = phi_2006_;
-let _e993 = phi_2009_;
-let _e995 = phi_2011_;
+let _e991 = phi_2007_;
+let _e993 = phi_2010_;
+let _e995 = phi_2012_;
 local_50 = _e993;
 local_51 = _e993;
 local_52 = _e993;
@@ -592,75 +604,75 @@ let _e999 = global_1.member.member_12.member_9;
 let _e1000 = (_e995 <= _e999);
 if _e1000 {
 let _e1004 = global_1.member.member_12.member_6;
-phi_2031_ = 0u;
+phi_2032_ = 0u;
 loop {
-let _e1008 = phi_2031_;
+let _e1008 = phi_2032_;
 local_49 = _e1008;
 let _e1012 = ((1u << bitcast<u32>((_e1008 & 31u))) < _e987);
 if _e1012 {
-phi_2032_ = (_e1008 + 1u);
+phi_2033_ = (_e1008 + 1u);
 } else {
-phi_2032_ = u32();
+phi_2033_ = u32();
 }
-let _e1015 = phi_2032_;
+let _e1015 = phi_2033_;
 continue;
 continuing {
-phi_2031_ = _e1015;
+phi_2032_ = _e1015;
 break if !(_e1012);
 }
 }
-phi_2044_ = 0u;
+phi_2045_ = 0u;
 loop {
-let _e1018 = phi_2044_;
+let _e1018 = phi_2045_;
 local_37 = _e1018;
 local_38 = _e1018;
 let _e1022 = ((1u << bitcast<u32>((_e1018 & 31u))) < _e987);
 if _e1022 {
-phi_2045_ = (_e1018 + 1u);
+phi_2046_ = (_e1018 + 1u);
 } else {
-phi_2045_ = u32();
+phi_2046_ = u32();
 }
-let _e1025 = phi_2045_;
+let _e1025 = phi_2046_;
 continue;
 continuing {
-phi_2044_ = _e1025;
+phi_2045_ = _e1025;
 break if !(_e1022);
 }
 }
 let _e1028 = local_37;
 let _e1031 = local_38;
-phi_2062_ = 0u;
+phi_2063_ = 0u;
 loop {
-let _e1034 = phi_2062_;
+let _e1034 = phi_2063_;
 local_41 = _e1034;
 let _e1038 = ((1u << bitcast<u32>((_e1034 & 31u))) < _e987);
 if _e1038 {
-phi_2063_ = (_e1034 + 1u);
+phi_2064_ = (_e1034 + 1u);
 } else {
-phi_2063_ = u32();
+phi_2064_ = u32();
 }
-let _e1041 = phi_2063_;
+let _e1041 = phi_2064_;
 continue;
 continuing {
-phi_2062_ = _e1041;
+phi_2063_ = _e1041;
 break if !(_e1038);
 }
 }
-phi_2075_ = 0u;
+phi_2076_ = 0u;
 loop {
-let _e1044 = phi_2075_;
+let _e1044 = phi_2076_;
 local_39 = _e1044;
 local_40 = _e1044;
 let _e1048 = ((1u << bitcast<u32>((_e1044 & 31u))) < _e987);
 if _e1048 {
-phi_2076_ = (_e1044 + 1u);
+phi_2077_ = (_e1044 + 1u);
 } else {
-phi_2076_ = u32();
+phi_2077_ = u32();
 }
-let _e1051 = phi_2076_;
+let _e1051 = phi_2077_;
 continue;
 continuing {
-phi_2075_ = _e1051;
+phi_2076_ = _e1051;
 break if !(_e1048);
 }
 }
@@ -668,78 +680,78 @@ let _e1054 = local_39;
 let _e1057 = local_40;
 let _e1060 = local_41;
 let _e1069 = global_1.member.member_12.member_8;
-phi_2101_ = 0u;
+phi_2102_ = 0u;
 loop {
-let _e1072 = phi_2101_;
+let _e1072 = phi_2102_;
 local_42 = _e1072;
 local_43 = _e1072;
 let _e1076 = ((1u << bitcast<u32>((_e1072 & 31u))) < _e987);
 if _e1076 {
-phi_2102_ = (_e1072 + 1u);
+phi_2103_ = (_e1072 + 1u);
 } else {
-phi_2102_ = u32();
+phi_2103_ = u32();
 }
-let _e1079 = phi_2102_;
+let _e1079 = phi_2103_;
 continue;
 continuing {
-phi_2101_ = _e1079;
+phi_2102_ = _e1079;
 break if !(_e1076);
 }
 }
 let _e1082 = local_42;
 let _e1085 = local_43;
-phi_2119_ = 0u;
+phi_2120_ = 0u;
 loop {
-let _e1088 = phi_2119_;
+let _e1088 = phi_2120_;
 local_44 = _e1088;
 local_45 = _e1088;
 let _e1092 = ((1u << bitcast<u32>((_e1088 & 31u))) < _e987);
 if _e1092 {
-phi_2120_ = (_e1088 + 1u);
+phi_2121_ = (_e1088 + 1u);
 } else {
-phi_2120_ = u32();
+phi_2121_ = u32();
 }
-let _e1095 = phi_2120_;
+let _e1095 = phi_2121_;
 continue;
 continuing {
-phi_2119_ = _e1095;
+phi_2120_ = _e1095;
 break if !(_e1092);
 }
 }
 let _e1098 = local_44;
 let _e1104 = local_45;
-phi_2142_ = 0u;
+phi_2143_ = 0u;
 loop {
-let _e1114 = phi_2142_;
+let _e1114 = phi_2143_;
 local_48 = _e1114;
 let _e1118 = ((1u << bitcast<u32>((_e1114 & 31u))) < _e987);
 if _e1118 {
-phi_2143_ = (_e1114 + 1u);
+phi_2144_ = (_e1114 + 1u);
 } else {
-phi_2143_ = u32();
+phi_2144_ = u32();
 }
-let _e1121 = phi_2143_;
+let _e1121 = phi_2144_;
 continue;
 continuing {
-phi_2142_ = _e1121;
+phi_2143_ = _e1121;
 break if !(_e1118);
 }
 }
-phi_2155_ = 0u;
+phi_2156_ = 0u;
 loop {
-let _e1124 = phi_2155_;
+let _e1124 = phi_2156_;
 local_46 = _e1124;
 local_47 = _e1124;
 let _e1128 = ((1u << bitcast<u32>((_e1124 & 31u))) < _e987);
 if _e1128 {
-phi_2156_ = (_e1124 + 1u);
+phi_2157_ = (_e1124 + 1u);
 } else {
-phi_2156_ = u32();
+phi_2157_ = u32();
 }
-let _e1131 = phi_2156_;
+let _e1131 = phi_2157_;
 continue;
 continuing {
-phi_2155_ = _e1131;
+phi_2156_ = _e1131;
 break if !(_e1128);
 }
 }
@@ -749,22 +761,22 @@ let _e1140 = local_48;
 let _e1146 = (((((1u << bitcast<u32>(((2u * _e1098) & 31u))) - (1u << bitcast<u32>(((2u * (_e1104 - select(6u, _e1085, (_e1082 < 6u)))) & 31u)))) / 3u) * 4u) + (1u << bitcast<u32>(((2u * (_e1140 - select(6u, _e1137, (_e1134 < 6u)))) & 31u))));
 let _e1147 = (_e1146 / 64u);
 if ((_e1146 % 64u) > 0u) {
-phi_2192_ = (_e1147 + 1u);
+phi_2193_ = (_e1147 + 1u);
 } else {
-phi_2192_ = _e1147;
+phi_2193_ = _e1147;
 }
-let _e1152 = phi_2192_;
+let _e1152 = phi_2193_;
 let _e1155 = local_49;
-local_34 = type_25(_e1155, select(6u, _e1031, (_e1028 < 6u)), (1u << bitcast<u32>(((2u * (_e1060 - select(6u, _e1057, (_e1054 < 6u)))) & 31u))), (_e995 * _e1069), (_e1152 * 64u));
+local_34 = type_26(_e1155, select(6u, _e1031, (_e1028 < 6u)), (1u << bitcast<u32>(((2u * (_e1060 - select(6u, _e1057, (_e1054 < 6u)))) & 31u))), (_e995 * _e1069), (_e1152 * 64u));
 let _e1157 = (_e995 == 0u);
 let _e1159 = local_34.member_1;
-phi_2206_ = _e991;
-phi_2209_ = _e993;
-phi_2211_ = type_17(_e1159, 0u);
+phi_2207_ = _e991;
+phi_2210_ = _e993;
+phi_2212_ = type_13(_e1159, 0u);
 loop {
-let _e1162 = phi_2206_;
-let _e1164 = phi_2209_;
-let _e1166 = phi_2211_;
+let _e1162 = phi_2207_;
+let _e1164 = phi_2210_;
+let _e1166 = phi_2212_;
 local_62 = _e1162;
 local_63 = _e1164;
 let _e1169 = local_34.member_1;
@@ -929,41 +941,41 @@ let _e1625 = (((_e1367 * _e1367) + (_e1378 * _e1378)) + (_e1390 * _e1390));
 let _e1628 = sqrt(select(0f, _e1625, (_e1625 > 0f)));
 let _e1633 = (((_e1473 * _e1473) + (_e1484 * _e1484)) + (_e1496 * _e1496));
 let _e1643 = (((_e1566 * _e1566) + (_e1567 * _e1567)) + (_e1568 * _e1568));
-phi_3088_ = (bitcast<f32>((bitcast<u32>((((_e1566 * _e1571) + (_e1567 * _e1574)) + (_e1568 * _e1577))) & 2147483647u)) <= ((((((bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u)) * _e1367) + (bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u)) * _e1378)) + (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) * _e1390)) + (((bitcast<f32>((bitcast<u32>(((_e514 * _e1568) - (_e525 * _e1567))) & 2147483647u)) * _e1473) + (bitcast<f32>((bitcast<u32>(((_e525 * _e1566) - (_e503 * _e1568))) & 2147483647u)) * _e1484)) + (bitcast<f32>((bitcast<u32>(((_e503 * _e1567) - (_e514 * _e1566))) & 2147483647u)) * _e1496))) + (_e1628 * sqrt(select(0f, _e1633, (_e1633 > 0f))))) + (_e983 + (_e911 * (sqrt(select(0f, _e1643, (_e1643 > 0f))) + _e1628)))));
+phi_3089_ = (bitcast<f32>((bitcast<u32>((((_e1566 * _e1571) + (_e1567 * _e1574)) + (_e1568 * _e1577))) & 2147483647u)) <= ((((((bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u)) * _e1367) + (bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u)) * _e1378)) + (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) * _e1390)) + (((bitcast<f32>((bitcast<u32>(((_e514 * _e1568) - (_e525 * _e1567))) & 2147483647u)) * _e1473) + (bitcast<f32>((bitcast<u32>(((_e525 * _e1566) - (_e503 * _e1568))) & 2147483647u)) * _e1484)) + (bitcast<f32>((bitcast<u32>(((_e503 * _e1567) - (_e514 * _e1566))) & 2147483647u)) * _e1496))) + (_e1628 * sqrt(select(0f, _e1633, (_e1633 > 0f))))) + (_e983 + (_e911 * (sqrt(select(0f, _e1643, (_e1643 > 0f))) + _e1628)))));
 } else {
-phi_3088_ = false;
+phi_3089_ = false;
 }
-let _e1656 = phi_3088_;
+let _e1656 = phi_3089_;
 let _e1657 = local_34.member_1;
 if (_e1657 < 2u) {
 let _e1659 = local_34.member_1;
-phi_3098_ = _e1659;
+phi_3099_ = _e1659;
 } else {
-phi_3098_ = 2u;
+phi_3099_ = 2u;
 }
-let _e1661 = phi_3098_;
+let _e1661 = phi_3099_;
 if (_e1656 && (_e1166.member > _e1661)) {
-phi_7149_ = _e1162;
-phi_7150_ = _e1164;
-phi_7151_ = type_17((_e1166.member - 1u), (_e1166.member_1 << bitcast<u32>(2i)));
+phi_7150_ = _e1162;
+phi_7151_ = _e1164;
+phi_7152_ = type_13((_e1166.member - 1u), (_e1166.member_1 << bitcast<u32>(2i)));
 } else {
 if _e1656 {
 let _e1664 = local_34.member_1;
 if (_e1664 < 2u) {
 let _e1666 = local_34.member_1;
-phi_3122_ = _e1666;
+phi_3123_ = _e1666;
 } else {
-phi_3122_ = 2u;
+phi_3123_ = 2u;
 }
-let _e1668 = phi_3122_;
+let _e1668 = phi_3123_;
 let _e1674 = local_34.member_3;
 let _e1675 = local_34.member_4;
 let _e1678 = local_34.member_4;
-phi_3143_ = 0u;
-phi_3146_ = 0u;
+phi_3144_ = 0u;
+phi_3147_ = 0u;
 loop {
-let _e1684 = phi_3143_;
-let _e1686 = phi_3146_;
+let _e1684 = phi_3144_;
+let _e1686 = phi_3147_;
 local_56 = _e1686;
 let _e1687 = (_e1684 < select(0u, 16u, ((((_e1166.member_1 << bitcast<u32>(((2u * _e1668) & 31u))) + 16u) <= _e1678) && ((_e1674 + (24u * _e1675)) <= _e149))));
 if _e1687 {
@@ -977,11 +989,11 @@ let _e1692 = local_34.member_3;
 let _e1693 = local_34.member_1;
 if (_e1693 < 2u) {
 let _e1695 = local_34.member_1;
-phi_3183_ = _e1695;
+phi_3184_ = _e1695;
 } else {
-phi_3183_ = 2u;
+phi_3184_ = 2u;
 }
-let _e1697 = phi_3183_;
+let _e1697 = phi_3184_;
 local_26 = (_e1692 + (_e1690 << bitcast<u32>(((2u * _e1697) & 31u))));
 let _e1703 = local_26;
 let _e1705 = local_25;
@@ -1002,11 +1014,11 @@ let _e1735 = local_34.member_4;
 let _e1738 = local_34.member_1;
 if (_e1738 < 2u) {
 let _e1740 = local_34.member_1;
-phi_3254_ = _e1740;
+phi_3255_ = _e1740;
 } else {
-phi_3254_ = 2u;
+phi_3255_ = 2u;
 }
-let _e1742 = phi_3254_;
+let _e1742 = phi_3255_;
 local_22 = ((_e1734 + (3u * _e1735)) + (_e1732 << bitcast<u32>(((2u * _e1742) & 31u))));
 let _e1748 = local_22;
 let _e1750 = local_21;
@@ -1027,11 +1039,11 @@ let _e1780 = local_34.member_4;
 let _e1783 = local_34.member_1;
 if (_e1783 < 2u) {
 let _e1785 = local_34.member_1;
-phi_3325_ = _e1785;
+phi_3326_ = _e1785;
 } else {
-phi_3325_ = 2u;
+phi_3326_ = 2u;
 }
-let _e1787 = phi_3325_;
+let _e1787 = phi_3326_;
 local_20 = ((_e1779 + (6u * _e1780)) + (_e1777 << bitcast<u32>(((2u * _e1787) & 31u))));
 let _e1793 = local_20;
 let _e1795 = local_19;
@@ -1052,11 +1064,11 @@ let _e1825 = local_34.member_4;
 let _e1828 = local_34.member_1;
 if (_e1828 < 2u) {
 let _e1830 = local_34.member_1;
-phi_3396_ = _e1830;
+phi_3397_ = _e1830;
 } else {
-phi_3396_ = 2u;
+phi_3397_ = 2u;
 }
-let _e1832 = phi_3396_;
+let _e1832 = phi_3397_;
 local_18 = ((_e1824 + (9u * _e1825)) + (_e1822 << bitcast<u32>(((2u * _e1832) & 31u))));
 let _e1838 = local_18;
 let _e1840 = local_17;
@@ -1077,11 +1089,11 @@ let _e1870 = local_34.member_4;
 let _e1873 = local_34.member_1;
 if (_e1873 < 2u) {
 let _e1875 = local_34.member_1;
-phi_3467_ = _e1875;
+phi_3468_ = _e1875;
 } else {
-phi_3467_ = 2u;
+phi_3468_ = 2u;
 }
-let _e1877 = phi_3467_;
+let _e1877 = phi_3468_;
 local_16 = ((_e1869 + (12u * _e1870)) + (_e1867 << bitcast<u32>(((2u * _e1877) & 31u))));
 let _e1883 = local_16;
 let _e1885 = local_15;
@@ -1102,11 +1114,11 @@ let _e1915 = local_34.member_4;
 let _e1918 = local_34.member_1;
 if (_e1918 < 2u) {
 let _e1920 = local_34.member_1;
-phi_3538_ = _e1920;
+phi_3539_ = _e1920;
 } else {
-phi_3538_ = 2u;
+phi_3539_ = 2u;
 }
-let _e1922 = phi_3538_;
+let _e1922 = phi_3539_;
 local_14 = ((_e1914 + (15u * _e1915)) + (_e1912 << bitcast<u32>(((2u * _e1922) & 31u))));
 let _e1928 = local_14;
 let _e1930 = local_13;
@@ -1122,11 +1134,11 @@ let _e1956 = global_4.member[bitcast<u32>((bitcast<i32>((_e1946 + (2u * _e1947))
 let _e1957 = local_34.member_1;
 if (_e1957 < 2u) {
 let _e1959 = local_34.member_1;
-phi_3598_ = _e1959;
+phi_3599_ = _e1959;
 } else {
-phi_3598_ = 2u;
+phi_3599_ = 2u;
 }
-let _e1961 = phi_3598_;
+let _e1961 = phi_3599_;
 let _e1963 = ((2u * _e1961) & 31u);
 let _e1966 = ((_e1166.member_1 << bitcast<u32>(_e1963)) + _e1684);
 let _e1967 = (_e1966 & 1431655765u);
@@ -1163,55 +1175,55 @@ let _e2130 = (((_e1845 * _e1845) + (_e1855 * _e1855)) + (_e1866 * _e1866));
 let _e2133 = sqrt(select(0f, _e2130, (_e2130 > 0f)));
 let _e2138 = (((_e1935 * _e1935) + (_e1945 * _e1945)) + (_e1956 * _e1956));
 let _e2148 = (((_e2071 * _e2071) + (_e2072 * _e2072)) + (_e2073 * _e2073));
-phi_3144_ = (_e1684 + 1u);
-phi_3147_ = (_e1686 | (select(0u, 1u, (((((_e1684 < (1u << bitcast<u32>(_e1963))) && (((_e1979 | (_e1979 >> bitcast<u32>(8i))) & 65535u) < _e987)) && (((_e1998 | (_e1998 >> bitcast<u32>(8i))) & 65535u) < _e987)) && ((_e1710 <= _e1755) && (select(_e2055, select(_e2060, _e2055, (_e2055 > _e2060)), _e1556) <= select(select(_e2060, _e2058, (_e2058 < _e2060)), _e2058, _e1556)))) && (bitcast<f32>((bitcast<u32>((((_e2071 * _e2076) + (_e2072 * _e2079)) + (_e2073 * _e2082))) & 2147483647u)) <= ((((((bitcast<f32>((bitcast<u32>(_e2076) & 2147483647u)) * _e1845) + (bitcast<f32>((bitcast<u32>(_e2079) & 2147483647u)) * _e1855)) + (bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u)) * _e1866)) + (((bitcast<f32>((bitcast<u32>(((_e514 * _e2073) - (_e525 * _e2072))) & 2147483647u)) * _e1935) + (bitcast<f32>((bitcast<u32>(((_e525 * _e2071) - (_e503 * _e2073))) & 2147483647u)) * _e1945)) + (bitcast<f32>((bitcast<u32>(((_e503 * _e2072) - (_e514 * _e2071))) & 2147483647u)) * _e1956))) + (_e2133 * sqrt(select(0f, _e2138, (_e2138 > 0f))))) + (_e983 + (_e911 * (sqrt(select(0f, _e2148, (_e2148 > 0f))) + _e2133))))))) << bitcast<u32>((_e1684 & 31u))));
+phi_3145_ = (_e1684 + 1u);
+phi_3148_ = (_e1686 | (select(0u, 1u, (((((_e1684 < (1u << bitcast<u32>(_e1963))) && (((_e1979 | (_e1979 >> bitcast<u32>(8i))) & 65535u) < _e987)) && (((_e1998 | (_e1998 >> bitcast<u32>(8i))) & 65535u) < _e987)) && ((_e1710 <= _e1755) && (select(_e2055, select(_e2060, _e2055, (_e2055 > _e2060)), _e1556) <= select(select(_e2060, _e2058, (_e2058 < _e2060)), _e2058, _e1556)))) && (bitcast<f32>((bitcast<u32>((((_e2071 * _e2076) + (_e2072 * _e2079)) + (_e2073 * _e2082))) & 2147483647u)) <= ((((((bitcast<f32>((bitcast<u32>(_e2076) & 2147483647u)) * _e1845) + (bitcast<f32>((bitcast<u32>(_e2079) & 2147483647u)) * _e1855)) + (bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u)) * _e1866)) + (((bitcast<f32>((bitcast<u32>(((_e514 * _e2073) - (_e525 * _e2072))) & 2147483647u)) * _e1935) + (bitcast<f32>((bitcast<u32>(((_e525 * _e2071) - (_e503 * _e2073))) & 2147483647u)) * _e1945)) + (bitcast<f32>((bitcast<u32>(((_e503 * _e2072) - (_e514 * _e2071))) & 2147483647u)) * _e1956))) + (_e2133 * sqrt(select(0f, _e2138, (_e2138 > 0f))))) + (_e983 + (_e911 * (sqrt(select(0f, _e2148, (_e2148 > 0f))) + _e2133))))))) << bitcast<u32>((_e1684 & 31u))));
 } else {
-phi_3144_ = u32();
-phi_3147_ = u32();
+phi_3145_ = u32();
+phi_3148_ = u32();
 }
-let _e2168 = phi_3144_;
-let _e2170 = phi_3147_;
+let _e2168 = phi_3145_;
+let _e2170 = phi_3148_;
 continue;
 continuing {
-phi_3143_ = _e2168;
-phi_3146_ = _e2170;
+phi_3144_ = _e2168;
+phi_3147_ = _e2170;
 break if !(_e1687);
 }
 }
 let _e4490 = local_56;
-phi_3898_ = _e4490;
+phi_3899_ = _e4490;
 } else {
-phi_3898_ = 0u;
+phi_3899_ = 0u;
 }
-let _e2173 = phi_3898_;
-phi_3900_ = _e1162;
-phi_3903_ = _e1164;
-phi_3905_ = 0u;
+let _e2173 = phi_3899_;
+phi_3901_ = _e1162;
+phi_3904_ = _e1164;
+phi_3906_ = 0u;
 loop {
-let _e2175 = phi_3900_;
-let _e2177 = phi_3903_;
-let _e2179 = phi_3905_;
+let _e2175 = phi_3901_;
+let _e2177 = phi_3904_;
+let _e2179 = phi_3906_;
 local_59 = _e2175;
 local_60 = _e2177;
 let _e2182 = (_e2173 >> bitcast<u32>((_e2179 & 31u)));
 let _e2183 = (_e2182 == 0u);
 if _e2183 {
-phi_3901_ = vec3<f32>();
-phi_3904_ = vec3<f32>();
-phi_3906_ = u32();
+phi_3902_ = vec3<f32>();
+phi_3905_ = vec3<f32>();
+phi_3907_ = u32();
 } else {
 if ((_e2182 & 1u) == 0u) {
-phi_7116_ = _e2175;
-phi_7117_ = _e2177;
+phi_7117_ = _e2175;
+phi_7118_ = _e2177;
 } else {
 let _e2186 = local_34.member_1;
 if (_e2186 < 2u) {
 let _e2188 = local_34.member_1;
-phi_3934_ = _e2188;
+phi_3935_ = _e2188;
 } else {
-phi_3934_ = 2u;
+phi_3935_ = 2u;
 }
-let _e2190 = phi_3934_;
+let _e2190 = phi_3935_;
 let _e2192 = ((2u * _e2190) & 31u);
 let _e2195 = ((_e1166.member_1 << bitcast<u32>(_e2192)) + _e2179);
 let _e2196 = (_e2195 & 1431655765u);
@@ -1225,11 +1237,11 @@ let _e2223 = ((_e2219 | (_e2219 >> bitcast<u32>(2i))) & 252645135u);
 let _e2227 = ((_e2223 | (_e2223 >> bitcast<u32>(4i))) & 16711935u);
 let _e2231 = ((_e2227 | (_e2227 >> bitcast<u32>(8i))) & 65535u);
 if (((_e2179 < (1u << bitcast<u32>(_e2192))) && (_e2212 < _e987)) && (_e2231 < _e987)) {
-phi_3980_ = bitcast<i32>(((_e2231 * _e987) + _e2212));
+phi_3981_ = bitcast<i32>(((_e2231 * _e987) + _e2212));
 } else {
-phi_3980_ = 0i;
+phi_3981_ = 0i;
 }
-let _e2243 = phi_3980_;
+let _e2243 = phi_3981_;
 local_10 = bitcast<i32>((_e995 * _e1004));
 local_11 = _e2243;
 local_12 = bitcast<i32>((_e987 * _e987));
@@ -1393,14 +1405,14 @@ let _e2706 = (_e2690 - 0f);
 let _e2710 = global_1.member.member_13.member_6;
 let _e2711 = (_e2710 == 0u);
 if _e2711 {
-phi_5540_ = _e2706;
+phi_5541_ = _e2706;
 } else {
 let _e2713 = (_e2706 / f32(_e2710));
-phi_4827_ = 0u;
-phi_4830_ = 0f;
+phi_4828_ = 0u;
+phi_4831_ = 0f;
 loop {
-let _e2715 = phi_4827_;
-let _e2717 = phi_4830_;
+let _e2715 = phi_4828_;
+let _e2717 = phi_4831_;
 local_57 = _e2717;
 let _e2720 = ((_e2715 < _e2710) && (_e2706 > 0f));
 if _e2720 {
@@ -1452,29 +1464,29 @@ local_8 = (_e2761 - f32(_e2798));
 let _e2835 = (_e2798 + 1i);
 let _e2837 = select(_e2835, 0i, (_e2835 < 0i));
 if (_e2837 >= _e2740) {
-phi_4965_ = (_e2740 - 1i);
+phi_4966_ = (_e2740 - 1i);
 } else {
-phi_4965_ = _e2837;
+phi_4966_ = _e2837;
 }
-let _e2841 = phi_4965_;
+let _e2841 = phi_4966_;
 local_9 = (_e2841 - _e2798);
 let _e2843 = (_e2813 + 1i);
 let _e2845 = select(_e2843, 0i, (_e2843 < 0i));
 if (_e2845 >= _e2745) {
-phi_4978_ = (_e2745 - 1i);
+phi_4979_ = (_e2745 - 1i);
 } else {
-phi_4978_ = _e2845;
+phi_4979_ = _e2845;
 }
-let _e2849 = phi_4978_;
+let _e2849 = phi_4979_;
 let _e2851 = ((_e2849 - _e2813) * _e2740);
 let _e2852 = (_e2828 + 1i);
 let _e2854 = select(_e2852, 0i, (_e2852 < 0i));
 if (_e2854 >= _e2750) {
-phi_4992_ = (_e2750 - 1i);
+phi_4993_ = (_e2750 - 1i);
 } else {
-phi_4992_ = _e2854;
+phi_4993_ = _e2854;
 }
-let _e2858 = phi_4992_;
+let _e2858 = phi_4993_;
 let _e2865 = global_1.member.member_13.member_10;
 let _e2866 = bitcast<i32>(_e2865);
 let _e2871 = ((_e2866 + (((_e2828 * _e2745) + _e2813) * _e2740)) + _e2798);
@@ -1543,29 +1555,29 @@ local_6 = (_e2990 - f32(_e3021));
 let _e3058 = (_e3021 + 1i);
 let _e3060 = select(_e3058, 0i, (_e3058 < 0i));
 if (_e3060 >= _e2740) {
-phi_5308_ = (_e2740 - 1i);
+phi_5309_ = (_e2740 - 1i);
 } else {
-phi_5308_ = _e3060;
+phi_5309_ = _e3060;
 }
-let _e3064 = phi_5308_;
+let _e3064 = phi_5309_;
 local_7 = (_e3064 - _e3021);
 let _e3066 = (_e3036 + 1i);
 let _e3068 = select(_e3066, 0i, (_e3066 < 0i));
 if (_e3068 >= _e2745) {
-phi_5321_ = (_e2745 - 1i);
+phi_5322_ = (_e2745 - 1i);
 } else {
-phi_5321_ = _e3068;
+phi_5322_ = _e3068;
 }
-let _e3072 = phi_5321_;
+let _e3072 = phi_5322_;
 let _e3074 = ((_e3072 - _e3036) * _e2740);
 let _e3075 = (_e3051 + 1i);
 let _e3077 = select(_e3075, 0i, (_e3075 < 0i));
 if (_e3077 >= _e2750) {
-phi_5335_ = (_e2750 - 1i);
+phi_5336_ = (_e2750 - 1i);
 } else {
-phi_5335_ = _e3077;
+phi_5336_ = _e3077;
 }
-let _e3081 = phi_5335_;
+let _e3081 = phi_5336_;
 let _e3089 = ((_e2866 + (((_e3051 * _e2745) + _e3036) * _e2740)) + _e3021);
 let _e3091 = select(_e2873, _e3089, (_e3089 < _e2873));
 let _e3096 = global_5.member[bitcast<u32>(select(0i, _e3091, (_e3091 > 0i)))];
@@ -1603,35 +1615,35 @@ let _e3175 = (_e3163 + _e3174);
 let _e3177 = select(_e2873, _e3175, (_e3175 < _e2873));
 let _e3182 = global_5.member[bitcast<u32>(select(0i, _e3177, (_e3177 > 0i)))];
 let _e3183 = local_6;
-phi_4828_ = (_e2715 + 1u);
-phi_4831_ = (_e2717 + ((0.5f * (((((((_e2880 * (1f - _e2881)) + (_e2892 * _e2893)) * _e2896) + (((_e2905 * (1f - _e2906)) + (_e2917 * _e2918)) * _e2832)) * (1f - _e2834)) + (((((_e2930 * (1f - _e2931)) + (_e2942 * _e2943)) * _e2896) + (((_e2954 * (1f - _e2955)) + (_e2966 * _e2967)) * _e2832)) * _e2834)) + ((((((_e3096 * (1f - _e3097)) + (_e3108 * _e3109)) * _e3112) + (((_e3121 * (1f - _e3122)) + (_e3133 * _e3134)) * _e3055)) * (1f - _e3057)) + (((((_e3146 * (1f - _e3147)) + (_e3158 * _e3159)) * _e3112) + (((_e3170 * (1f - _e3171)) + (_e3182 * _e3183)) * _e3055)) * _e3057)))) * _e2727));
+phi_4829_ = (_e2715 + 1u);
+phi_4832_ = (_e2717 + ((0.5f * (((((((_e2880 * (1f - _e2881)) + (_e2892 * _e2893)) * _e2896) + (((_e2905 * (1f - _e2906)) + (_e2917 * _e2918)) * _e2832)) * (1f - _e2834)) + (((((_e2930 * (1f - _e2931)) + (_e2942 * _e2943)) * _e2896) + (((_e2954 * (1f - _e2955)) + (_e2966 * _e2967)) * _e2832)) * _e2834)) + ((((((_e3096 * (1f - _e3097)) + (_e3108 * _e3109)) * _e3112) + (((_e3121 * (1f - _e3122)) + (_e3133 * _e3134)) * _e3055)) * (1f - _e3057)) + (((((_e3146 * (1f - _e3147)) + (_e3158 * _e3159)) * _e3112) + (((_e3170 * (1f - _e3171)) + (_e3182 * _e3183)) * _e3055)) * _e3057)))) * _e2727));
 } else {
-phi_4828_ = u32();
-phi_4831_ = f32();
+phi_4829_ = u32();
+phi_4832_ = f32();
 }
-let _e3198 = phi_4828_;
-let _e3200 = phi_4831_;
+let _e3198 = phi_4829_;
+let _e3200 = phi_4832_;
 continue;
 continuing {
-phi_4827_ = _e3198;
-phi_4830_ = _e3200;
+phi_4828_ = _e3198;
+phi_4831_ = _e3200;
 break if !(_e2720);
 }
 }
 let _e4508 = local_57;
-phi_5540_ = _e4508;
+phi_5541_ = _e4508;
 }
-let _e3203 = phi_5540_;
+let _e3203 = phi_5541_;
 let _e3204 = (_e2687 - _e884);
 if _e2711 {
-phi_6266_ = _e3204;
+phi_6267_ = _e3204;
 } else {
 let _e3206 = (_e3204 / f32(_e2710));
-phi_5553_ = 0u;
-phi_5556_ = 0f;
+phi_5554_ = 0u;
+phi_5557_ = 0f;
 loop {
-let _e3208 = phi_5553_;
-let _e3210 = phi_5556_;
+let _e3208 = phi_5554_;
+let _e3210 = phi_5557_;
 local_58 = _e3210;
 let _e3213 = ((_e3208 < _e2710) && (_e3204 > 0f));
 if _e3213 {
@@ -1683,29 +1695,29 @@ local_4 = (_e3254 - f32(_e3291));
 let _e3328 = (_e3291 + 1i);
 let _e3330 = select(_e3328, 0i, (_e3328 < 0i));
 if (_e3330 >= _e3233) {
-phi_5691_ = (_e3233 - 1i);
+phi_5692_ = (_e3233 - 1i);
 } else {
-phi_5691_ = _e3330;
+phi_5692_ = _e3330;
 }
-let _e3334 = phi_5691_;
+let _e3334 = phi_5692_;
 local_5 = (_e3334 - _e3291);
 let _e3336 = (_e3306 + 1i);
 let _e3338 = select(_e3336, 0i, (_e3336 < 0i));
 if (_e3338 >= _e3238) {
-phi_5704_ = (_e3238 - 1i);
+phi_5705_ = (_e3238 - 1i);
 } else {
-phi_5704_ = _e3338;
+phi_5705_ = _e3338;
 }
-let _e3342 = phi_5704_;
+let _e3342 = phi_5705_;
 let _e3344 = ((_e3342 - _e3306) * _e3233);
 let _e3345 = (_e3321 + 1i);
 let _e3347 = select(_e3345, 0i, (_e3345 < 0i));
 if (_e3347 >= _e3243) {
-phi_5718_ = (_e3243 - 1i);
+phi_5719_ = (_e3243 - 1i);
 } else {
-phi_5718_ = _e3347;
+phi_5719_ = _e3347;
 }
-let _e3351 = phi_5718_;
+let _e3351 = phi_5719_;
 let _e3358 = global_1.member.member_13.member_10;
 let _e3359 = bitcast<i32>(_e3358);
 let _e3364 = ((_e3359 + (((_e3321 * _e3238) + _e3306) * _e3233)) + _e3291);
@@ -1774,29 +1786,29 @@ local_2 = (_e3483 - f32(_e3514));
 let _e3551 = (_e3514 + 1i);
 let _e3553 = select(_e3551, 0i, (_e3551 < 0i));
 if (_e3553 >= _e3233) {
-phi_6034_ = (_e3233 - 1i);
+phi_6035_ = (_e3233 - 1i);
 } else {
-phi_6034_ = _e3553;
+phi_6035_ = _e3553;
 }
-let _e3557 = phi_6034_;
+let _e3557 = phi_6035_;
 local_3 = (_e3557 - _e3514);
 let _e3559 = (_e3529 + 1i);
 let _e3561 = select(_e3559, 0i, (_e3559 < 0i));
 if (_e3561 >= _e3238) {
-phi_6047_ = (_e3238 - 1i);
+phi_6048_ = (_e3238 - 1i);
 } else {
-phi_6047_ = _e3561;
+phi_6048_ = _e3561;
 }
-let _e3565 = phi_6047_;
+let _e3565 = phi_6048_;
 let _e3567 = ((_e3565 - _e3529) * _e3233);
 let _e3568 = (_e3544 + 1i);
 let _e3570 = select(_e3568, 0i, (_e3568 < 0i));
 if (_e3570 >= _e3243) {
-phi_6061_ = (_e3243 - 1i);
+phi_6062_ = (_e3243 - 1i);
 } else {
-phi_6061_ = _e3570;
+phi_6062_ = _e3570;
 }
-let _e3574 = phi_6061_;
+let _e3574 = phi_6062_;
 let _e3582 = ((_e3359 + (((_e3544 * _e3238) + _e3529) * _e3233)) + _e3514);
 let _e3584 = select(_e3366, _e3582, (_e3582 < _e3366));
 let _e3589 = global_5.member[bitcast<u32>(select(0i, _e3584, (_e3584 > 0i)))];
@@ -1834,27 +1846,27 @@ let _e3668 = (_e3656 + _e3667);
 let _e3670 = select(_e3366, _e3668, (_e3668 < _e3366));
 let _e3675 = global_5.member[bitcast<u32>(select(0i, _e3670, (_e3670 > 0i)))];
 let _e3676 = local_2;
-phi_5554_ = (_e3208 + 1u);
-phi_5557_ = (_e3210 + ((0.5f * (((((((_e3373 * (1f - _e3374)) + (_e3385 * _e3386)) * _e3389) + (((_e3398 * (1f - _e3399)) + (_e3410 * _e3411)) * _e3325)) * (1f - _e3327)) + (((((_e3423 * (1f - _e3424)) + (_e3435 * _e3436)) * _e3389) + (((_e3447 * (1f - _e3448)) + (_e3459 * _e3460)) * _e3325)) * _e3327)) + ((((((_e3589 * (1f - _e3590)) + (_e3601 * _e3602)) * _e3605) + (((_e3614 * (1f - _e3615)) + (_e3626 * _e3627)) * _e3548)) * (1f - _e3550)) + (((((_e3639 * (1f - _e3640)) + (_e3651 * _e3652)) * _e3605) + (((_e3663 * (1f - _e3664)) + (_e3675 * _e3676)) * _e3548)) * _e3550)))) * _e3220));
+phi_5555_ = (_e3208 + 1u);
+phi_5558_ = (_e3210 + ((0.5f * (((((((_e3373 * (1f - _e3374)) + (_e3385 * _e3386)) * _e3389) + (((_e3398 * (1f - _e3399)) + (_e3410 * _e3411)) * _e3325)) * (1f - _e3327)) + (((((_e3423 * (1f - _e3424)) + (_e3435 * _e3436)) * _e3389) + (((_e3447 * (1f - _e3448)) + (_e3459 * _e3460)) * _e3325)) * _e3327)) + ((((((_e3589 * (1f - _e3590)) + (_e3601 * _e3602)) * _e3605) + (((_e3614 * (1f - _e3615)) + (_e3626 * _e3627)) * _e3548)) * (1f - _e3550)) + (((((_e3639 * (1f - _e3640)) + (_e3651 * _e3652)) * _e3605) + (((_e3663 * (1f - _e3664)) + (_e3675 * _e3676)) * _e3548)) * _e3550)))) * _e3220));
 } else {
-phi_5554_ = u32();
-phi_5557_ = f32();
+phi_5555_ = u32();
+phi_5558_ = f32();
 }
-let _e3691 = phi_5554_;
-let _e3693 = phi_5557_;
+let _e3691 = phi_5555_;
+let _e3693 = phi_5558_;
 continue;
 continuing {
-phi_5553_ = _e3691;
-phi_5556_ = _e3693;
+phi_5554_ = _e3691;
+phi_5557_ = _e3693;
 break if !(_e3213);
 }
 }
 let _e4521 = local_58;
-phi_6266_ = _e4521;
+phi_6267_ = _e4521;
 }
-let _e3696 = phi_6266_;
+let _e3696 = phi_6267_;
 if _e2711 {
-phi_6615_ = 1f;
+phi_6616_ = 1f;
 } else {
 let _e3706 = global_1.member.member_13.member_7;
 let _e3707 = bitcast<i32>(_e3706);
@@ -1895,29 +1907,29 @@ local = (_e3728 - f32(_e3765));
 let _e3802 = (_e3765 + 1i);
 let _e3804 = select(_e3802, 0i, (_e3802 < 0i));
 if (_e3804 >= _e3707) {
-phi_6388_ = (_e3707 - 1i);
+phi_6389_ = (_e3707 - 1i);
 } else {
-phi_6388_ = _e3804;
+phi_6389_ = _e3804;
 }
-let _e3808 = phi_6388_;
+let _e3808 = phi_6389_;
 local_1 = (_e3808 - _e3765);
 let _e3810 = (_e3780 + 1i);
 let _e3812 = select(_e3810, 0i, (_e3810 < 0i));
 if (_e3812 >= _e3712) {
-phi_6401_ = (_e3712 - 1i);
+phi_6402_ = (_e3712 - 1i);
 } else {
-phi_6401_ = _e3812;
+phi_6402_ = _e3812;
 }
-let _e3816 = phi_6401_;
+let _e3816 = phi_6402_;
 let _e3818 = ((_e3816 - _e3780) * _e3707);
 let _e3819 = (_e3795 + 1i);
 let _e3821 = select(_e3819, 0i, (_e3819 < 0i));
 if (_e3821 >= _e3717) {
-phi_6415_ = (_e3717 - 1i);
+phi_6416_ = (_e3717 - 1i);
 } else {
-phi_6415_ = _e3821;
+phi_6416_ = _e3821;
 }
-let _e3825 = phi_6415_;
+let _e3825 = phi_6416_;
 let _e3832 = global_1.member.member_13.member_10;
 let _e3838 = ((bitcast<i32>(_e3832) + (((_e3795 * _e3712) + _e3780) * _e3707)) + _e3765);
 let _e3840 = (bitcast<i32>(_e152) - 1i);
@@ -1957,9 +1969,9 @@ let _e3926 = (_e3914 + _e3925);
 let _e3928 = select(_e3840, _e3926, (_e3926 < _e3840));
 let _e3933 = global_5.member[bitcast<u32>(select(0i, _e3928, (_e3928 > 0i)))];
 let _e3934 = local;
-phi_6615_ = ((((((_e3847 * (1f - _e3848)) + (_e3859 * _e3860)) * _e3863) + (((_e3872 * (1f - _e3873)) + (_e3884 * _e3885)) * _e3799)) * (1f - _e3801)) + (((((_e3897 * (1f - _e3898)) + (_e3909 * _e3910)) * _e3863) + (((_e3921 * (1f - _e3922)) + (_e3933 * _e3934)) * _e3799)) * _e3801));
+phi_6616_ = ((((((_e3847 * (1f - _e3848)) + (_e3859 * _e3860)) * _e3863) + (((_e3872 * (1f - _e3873)) + (_e3884 * _e3885)) * _e3799)) * (1f - _e3801)) + (((((_e3897 * (1f - _e3898)) + (_e3909 * _e3910)) * _e3863) + (((_e3921 * (1f - _e3922)) + (_e3933 * _e3934)) * _e3799)) * _e3801));
 }
-let _e3944 = phi_6615_;
+let _e3944 = phi_6616_;
 let _e3945 = (_e3203 + _e3696);
 let _e3949 = global_1.member.member_13.member;
 let _e3954 = -((_e3949.member * _e3945));
@@ -2016,11 +2028,11 @@ let _e4163 = global_5.member[bitcast<u32>(select(0i, _e4158, (_e4158 > 0i)))];
 let _e4165 = (_e4153 + (_e4148 + 1i));
 let _e4167 = select(_e4156, _e4165, (_e4165 < _e4156));
 let _e4172 = global_5.member[bitcast<u32>(select(0i, _e4167, (_e4167 > 0i)))];
-phi_6958_ = (_e4163 + ((_e4172 - _e4163) * (_e4132 - f32(_e4148))));
+phi_6959_ = (_e4163 + ((_e4172 - _e4163) * (_e4132 - f32(_e4148))));
 } else {
-phi_6958_ = select(((1f - _e4102) / (_e4108 * sqrt(select(0f, _e4108, (_e4108 > 0f))))), (0.75f * (1f + (_e4097 * _e4097))), (_e4121 == 1u));
+phi_6959_ = select(((1f - _e4102) / (_e4108 * sqrt(select(0f, _e4108, (_e4108 > 0f))))), (0.75f * (1f + (_e4097 * _e4097))), (_e4121 == 1u));
 }
-let _e4179 = phi_6958_;
+let _e4179 = phi_6959_;
 let _e4182 = (1e-4f * _e2652);
 let _e4184 = select(_e2602, _e2573, (_e2573 > _e2602));
 let _e4186 = select(_e4182, _e4184, (_e4184 > _e4182));
@@ -2046,98 +2058,98 @@ let _e4227 = (_e4220 - _e4190);
 let _e4231 = (((_e4224 * (_e4224 * _e4193)) + select(0f, _e4227, (_e4227 > 0f))) * _e4194);
 let _e4238 = (((_e4179 * (0.25f / 3.1415927f)) * ((select(_e4212, (1f - _e4212), (_e4197 >= 0f)) - select(_e4231, (1f - _e4231), (_e4216 >= 0f))) * (1f / _e2652))) * _e3944);
 let _e4245 = global_1.member.member_13.member_1;
-phi_7077_ = vec3<f32>((((_e2488 * ((1f + (_e3980 * (1f + (_e3980 * (0.5f + (_e3980 * (0.16666667f + (_e3980 * (0.041666668f + (_e3980 * (0.008333334f + (_e3980 * (0.001388889f + (_e3980 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3975 + 127i)) << bitcast<u32>(23i))))) * _e4245.member) * _e4238), (((_e2501 * ((1f + (_e4028 * (1f + (_e4028 * (0.5f + (_e4028 * (0.16666667f + (_e4028 * (0.041666668f + (_e4028 * (0.008333334f + (_e4028 * (0.001388889f + (_e4028 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4023 + 127i)) << bitcast<u32>(23i))))) * _e4245.member_1) * _e4238), (((_e2514 * ((1f + (_e4076 * (1f + (_e4076 * (0.5f + (_e4076 * (0.16666667f + (_e4076 * (0.041666668f + (_e4076 * (0.008333334f + (_e4076 * (0.001388889f + (_e4076 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4071 + 127i)) << bitcast<u32>(23i))))) * _e4245.member_2) * _e4238));
+phi_7078_ = vec3<f32>((((_e2488 * ((1f + (_e3980 * (1f + (_e3980 * (0.5f + (_e3980 * (0.16666667f + (_e3980 * (0.041666668f + (_e3980 * (0.008333334f + (_e3980 * (0.001388889f + (_e3980 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3975 + 127i)) << bitcast<u32>(23i))))) * _e4245.member) * _e4238), (((_e2501 * ((1f + (_e4028 * (1f + (_e4028 * (0.5f + (_e4028 * (0.16666667f + (_e4028 * (0.041666668f + (_e4028 * (0.008333334f + (_e4028 * (0.001388889f + (_e4028 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4023 + 127i)) << bitcast<u32>(23i))))) * _e4245.member_1) * _e4238), (((_e2514 * ((1f + (_e4076 * (1f + (_e4076 * (0.5f + (_e4076 * (0.16666667f + (_e4076 * (0.041666668f + (_e4076 * (0.008333334f + (_e4076 * (0.001388889f + (_e4076 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4071 + 127i)) << bitcast<u32>(23i))))) * _e4245.member_2) * _e4238));
 } else {
-phi_7077_ = vec3<f32>(0f, 0f, 0f);
+phi_7078_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e4257 = phi_7077_;
+let _e4257 = phi_7078_;
 let _e4258 = select(1f, 0f, _e1157);
 let _e4272 = select(0f, 1f, _e1157);
-phi_7116_ = vec3<f32>((_e2175.x + (_e4257.x * _e4272)), (_e2175.y + (_e4257.y * _e4272)), (_e2175.z + (_e4257.z * _e4272)));
-phi_7117_ = vec3<f32>((_e2177.x + (_e4257.x * _e4258)), (_e2177.y + (_e4257.y * _e4258)), (_e2177.z + (_e4257.z * _e4258)));
+phi_7117_ = vec3<f32>((_e2175.x + (_e4257.x * _e4272)), (_e2175.y + (_e4257.y * _e4272)), (_e2175.z + (_e4257.z * _e4272)));
+phi_7118_ = vec3<f32>((_e2177.x + (_e4257.x * _e4258)), (_e2177.y + (_e4257.y * _e4258)), (_e2177.z + (_e4257.z * _e4258)));
 }
-let _e4284 = phi_7116_;
-let _e4286 = phi_7117_;
-phi_3901_ = _e4284;
-phi_3904_ = _e4286;
-phi_3906_ = (_e2179 + 1u);
+let _e4284 = phi_7117_;
+let _e4286 = phi_7118_;
+phi_3902_ = _e4284;
+phi_3905_ = _e4286;
+phi_3907_ = (_e2179 + 1u);
 }
-let _e4289 = phi_3901_;
-let _e4291 = phi_3904_;
-let _e4293 = phi_3906_;
+let _e4289 = phi_3902_;
+let _e4291 = phi_3905_;
+let _e4293 = phi_3907_;
 continue;
 continuing {
-phi_3900_ = _e4289;
-phi_3903_ = _e4291;
-phi_3905_ = _e4293;
+phi_3901_ = _e4289;
+phi_3904_ = _e4291;
+phi_3906_ = _e4293;
 break if !(select(true, false, _e2183));
 }
 }
 let _e4296 = local_34.member_1;
-phi_7127_ = type_17(_e1166.member, (_e1166.member_1 + 1u));
+phi_7128_ = type_13(_e1166.member, (_e1166.member_1 + 1u));
 loop {
-let _e4300 = phi_7127_;
+let _e4300 = phi_7128_;
 local_61 = _e4300;
 let _e4306 = (((_e4300.member_1 & 3u) == 0u) && (_e4300.member < _e4296));
 if _e4306 {
-phi_7128_ = type_17((_e4300.member + 1u), (_e4300.member_1 >> bitcast<u32>(2i)));
+phi_7129_ = type_13((_e4300.member + 1u), (_e4300.member_1 >> bitcast<u32>(2i)));
 } else {
-phi_7128_ = type_17();
+phi_7129_ = type_13();
 }
-let _e4312 = phi_7128_;
+let _e4312 = phi_7129_;
 continue;
 continuing {
-phi_7127_ = _e4312;
+phi_7128_ = _e4312;
 break if !(_e4306);
 }
 }
 let _e4537 = local_59;
-phi_7149_ = _e4537;
+phi_7150_ = _e4537;
 let _e4540 = local_60;
-phi_7150_ = _e4540;
+phi_7151_ = _e4540;
 let _e4543 = local_61;
-phi_7151_ = _e4543;
+phi_7152_ = _e4543;
 }
-let _e4319 = phi_7149_;
-let _e4321 = phi_7150_;
-let _e4323 = phi_7151_;
-phi_2207_ = _e4319;
-phi_2210_ = _e4321;
-phi_2212_ = _e4323;
+let _e4319 = phi_7150_;
+let _e4321 = phi_7151_;
+let _e4323 = phi_7152_;
+phi_2208_ = _e4319;
+phi_2211_ = _e4321;
+phi_2213_ = _e4323;
 } else {
-phi_2207_ = vec3<f32>();
-phi_2210_ = vec3<f32>();
-phi_2212_ = type_17();
+phi_2208_ = vec3<f32>();
+phi_2211_ = vec3<f32>();
+phi_2213_ = type_13();
 }
-let _e4325 = phi_2207_;
-let _e4327 = phi_2210_;
-let _e4329 = phi_2212_;
+let _e4325 = phi_2208_;
+let _e4327 = phi_2211_;
+let _e4329 = phi_2213_;
 continue;
 continuing {
-phi_2206_ = _e4325;
-phi_2209_ = _e4327;
-phi_2211_ = _e4329;
+phi_2207_ = _e4325;
+phi_2210_ = _e4327;
+phi_2212_ = _e4329;
 break if !(_e1174);
 }
 }
 let _e4549 = local_62;
-phi_2007_ = _e4549;
+phi_2008_ = _e4549;
 let _e4552 = local_63;
-phi_2010_ = _e4552;
-phi_2012_ = (_e995 + 1u);
+phi_2011_ = _e4552;
+phi_2013_ = (_e995 + 1u);
 } else {
-phi_2007_ = vec3<f32>();
-phi_2010_ = vec3<f32>();
-phi_2012_ = u32();
+phi_2008_ = vec3<f32>();
+phi_2011_ = vec3<f32>();
+phi_2013_ = u32();
 }
-let _e4333 = phi_2007_;
-let _e4335 = phi_2010_;
-let _e4337 = phi_2012_;
+let _e4333 = phi_2008_;
+let _e4335 = phi_2011_;
+let _e4337 = phi_2013_;
 continue;
 continuing {
-phi_2006_ = _e4333;
-phi_2009_ = _e4335;
-phi_2011_ = _e4337;
+phi_2007_ = _e4333;
+phi_2010_ = _e4335;
+phi_2012_ = _e4337;
 break if !(_e1000);
 }
 }
@@ -2147,9 +2159,9 @@ let _e4348 = local_52;
 let _e4355 = local_53;
 let _e4359 = local_54;
 let _e4363 = local_55;
-phi_7205_ = array<f32, 22>(_e177, _e187, _e198, _e209, _e220, _e231, _e242, _e253, _e264, (_e275 + (_e4340.x * _e806)), (_e286 + (_e4344.y * _e807)), (_e297 + (_e4348.z * _e808)), (_e308 + (_e4355.x * _e806)), (_e319 + (_e4359.y * _e807)), (_e330 + (_e4363.z * _e808)), _e341, _e352, _e363, _e374, _e385, _e396, _e407);
+phi_7206_ = array<f32, 22>(_e177, _e187, _e198, _e209, _e220, _e231, _e242, _e253, _e264, (_e275 + (_e4340.x * _e806)), (_e286 + (_e4344.y * _e807)), (_e297 + (_e4348.z * _e808)), (_e308 + (_e4355.x * _e806)), (_e319 + (_e4359.y * _e807)), (_e330 + (_e4363.z * _e808)), _e341, _e352, _e363, _e374, _e385, _e396, _e407);
 }
-let _e4371 = phi_7205_;
+let _e4371 = phi_7206_;
 global_6.member[_e166] = _e4371[0];
 global_6.member[_e178] = _e4371[1];
 global_6.member[_e189] = _e4371[2];

@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_16 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_17 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_17 {
+struct type_18 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_18 {
+struct type_19 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
-member_1: type_15,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,28 +150,28 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_16,
-member_12: type_17,
-member_13: type_18,
+member_11: type_17,
+member_12: type_18,
+member_13: type_19,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_19,
-member_19: type_20,
+member_18: type_20,
+member_19: type_21,
 }
-struct type_22 {
-member: type_21,
+struct type_23 {
+member: type_22,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_22;
+var<storage> global_1: type_23;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(2)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -171,13 +183,13 @@ var local_6: i32;
 var local_7: i32;
 var local_8: i32;
 var local_9: i32;
-var phi_1032_: i32;
-var phi_1045_: i32;
-var phi_1059_: i32;
-var phi_1375_: i32;
-var phi_1388_: i32;
-var phi_1402_: i32;
-var phi_1605_: f32;
+var phi_1033_: i32;
+var phi_1046_: i32;
+var phi_1060_: i32;
+var phi_1376_: i32;
+var phi_1389_: i32;
+var phi_1403_: i32;
+var phi_1606_: f32;
 let _e34 = global;
 let _e43 = global_1.member.member;
 if (_e34.x < _e43.member) {
@@ -307,29 +319,29 @@ local_2 = (_e258 - f32(_e295));
 let _e332 = (_e295 + 1i);
 let _e334 = select(_e332, 0i, (_e332 < 0i));
 if (_e334 >= _e223) {
-phi_1032_ = (_e223 - 1i);
+phi_1033_ = (_e223 - 1i);
 } else {
-phi_1032_ = _e334;
+phi_1033_ = _e334;
 }
-let _e338 = phi_1032_;
+let _e338 = phi_1033_;
 local_3 = (_e338 - _e295);
 let _e340 = (_e310 + 1i);
 let _e342 = select(_e340, 0i, (_e340 < 0i));
 if (_e342 >= _e228) {
-phi_1045_ = (_e228 - 1i);
+phi_1046_ = (_e228 - 1i);
 } else {
-phi_1045_ = _e342;
+phi_1046_ = _e342;
 }
-let _e346 = phi_1045_;
+let _e346 = phi_1046_;
 let _e348 = ((_e346 - _e310) * _e223);
 let _e349 = (_e325 + 1i);
 let _e351 = select(_e349, 0i, (_e349 < 0i));
 if (_e351 >= _e233) {
-phi_1059_ = (_e233 - 1i);
+phi_1060_ = (_e233 - 1i);
 } else {
-phi_1059_ = _e351;
+phi_1060_ = _e351;
 }
-let _e355 = phi_1059_;
+let _e355 = phi_1060_;
 let _e362 = global_1.member.member_13.member_10;
 let _e363 = bitcast<i32>(_e362);
 let _e368 = ((_e363 + (((_e325 * _e228) + _e310) * _e223)) + _e295);
@@ -398,29 +410,29 @@ local = (_e487 - f32(_e518));
 let _e555 = (_e518 + 1i);
 let _e557 = select(_e555, 0i, (_e555 < 0i));
 if (_e557 >= _e223) {
-phi_1375_ = (_e223 - 1i);
+phi_1376_ = (_e223 - 1i);
 } else {
-phi_1375_ = _e557;
+phi_1376_ = _e557;
 }
-let _e561 = phi_1375_;
+let _e561 = phi_1376_;
 local_1 = (_e561 - _e518);
 let _e563 = (_e533 + 1i);
 let _e565 = select(_e563, 0i, (_e563 < 0i));
 if (_e565 >= _e228) {
-phi_1388_ = (_e228 - 1i);
+phi_1389_ = (_e228 - 1i);
 } else {
-phi_1388_ = _e565;
+phi_1389_ = _e565;
 }
-let _e569 = phi_1388_;
+let _e569 = phi_1389_;
 let _e571 = ((_e569 - _e533) * _e223);
 let _e572 = (_e548 + 1i);
 let _e574 = select(_e572, 0i, (_e572 < 0i));
 if (_e574 >= _e233) {
-phi_1402_ = (_e233 - 1i);
+phi_1403_ = (_e233 - 1i);
 } else {
-phi_1402_ = _e574;
+phi_1403_ = _e574;
 }
-let _e578 = phi_1402_;
+let _e578 = phi_1403_;
 let _e586 = ((_e363 + (((_e548 * _e228) + _e533) * _e223)) + _e518);
 let _e588 = select(_e370, _e586, (_e586 < _e370));
 let _e593 = global_4.member[bitcast<u32>(select(0i, _e588, (_e588 > 0i)))];
@@ -458,11 +470,11 @@ let _e672 = (_e660 + _e671);
 let _e674 = select(_e370, _e672, (_e672 < _e370));
 let _e679 = global_4.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
 let _e680 = local;
-phi_1605_ = ((0.5f * (((((((_e377 * (1f - _e378)) + (_e389 * _e390)) * _e393) + (((_e402 * (1f - _e403)) + (_e414 * _e415)) * _e329)) * (1f - _e331)) + (((((_e427 * (1f - _e428)) + (_e439 * _e440)) * _e393) + (((_e451 * (1f - _e452)) + (_e463 * _e464)) * _e329)) * _e331)) + ((((((_e593 * (1f - _e594)) + (_e605 * _e606)) * _e609) + (((_e618 * (1f - _e619)) + (_e630 * _e631)) * _e552)) * (1f - _e554)) + (((((_e643 * (1f - _e644)) + (_e655 * _e656)) * _e609) + (((_e667 * (1f - _e668)) + (_e679 * _e680)) * _e552)) * _e554)))) * _e210);
+phi_1606_ = ((0.5f * (((((((_e377 * (1f - _e378)) + (_e389 * _e390)) * _e393) + (((_e402 * (1f - _e403)) + (_e414 * _e415)) * _e329)) * (1f - _e331)) + (((((_e427 * (1f - _e428)) + (_e439 * _e440)) * _e393) + (((_e451 * (1f - _e452)) + (_e463 * _e464)) * _e329)) * _e331)) + ((((((_e593 * (1f - _e594)) + (_e605 * _e606)) * _e609) + (((_e618 * (1f - _e619)) + (_e630 * _e631)) * _e552)) * (1f - _e554)) + (((((_e643 * (1f - _e644)) + (_e655 * _e656)) * _e609) + (((_e667 * (1f - _e668)) + (_e679 * _e680)) * _e552)) * _e554)))) * _e210);
 } else {
-phi_1605_ = 0f;
+phi_1606_ = 0f;
 }
-let _e693 = phi_1605_;
+let _e693 = phi_1606_;
 global_2.member[((_e34.y * _e43.member) + _e34.x)] = _e693;
 }
 }

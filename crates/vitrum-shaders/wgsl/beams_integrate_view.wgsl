@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_16 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_17 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_17 {
+struct type_18 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_18 {
+struct type_19 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
-member_1: type_15,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,40 +150,40 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_16,
-member_12: type_17,
-member_13: type_18,
+member_11: type_17,
+member_12: type_18,
+member_13: type_19,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_19,
-member_19: type_20,
+member_18: type_20,
+member_19: type_21,
 }
-struct type_22 {
-member: type_21,
+struct type_23 {
+member: type_22,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_22;
+var<storage> global_1: type_23;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(3)
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_3: type_15;
 @group(0) @binding(2)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 fn function_() {
 var local: f32;
 var local_1: i32;
 var local_2: f32;
 var local_3: i32;
 var local_4: u32;
-var phi_489_: i32;
-var phi_502_: i32;
-var phi_516_: i32;
-var phi_832_: i32;
-var phi_845_: i32;
-var phi_859_: i32;
+var phi_490_: i32;
+var phi_503_: i32;
+var phi_517_: i32;
+var phi_833_: i32;
+var phi_846_: i32;
+var phi_860_: i32;
 switch bitcast<i32>(0u) {
 default: {
 let _e25 = global;
@@ -276,29 +288,29 @@ local_2 = (_e232 - f32(_e269));
 let _e306 = (_e269 + 1i);
 let _e308 = select(_e306, 0i, (_e306 < 0i));
 if (_e308 >= _e197) {
-phi_489_ = (_e197 - 1i);
+phi_490_ = (_e197 - 1i);
 } else {
-phi_489_ = _e308;
+phi_490_ = _e308;
 }
-let _e312 = phi_489_;
+let _e312 = phi_490_;
 local_3 = (_e312 - _e269);
 let _e314 = (_e284 + 1i);
 let _e316 = select(_e314, 0i, (_e314 < 0i));
 if (_e316 >= _e202) {
-phi_502_ = (_e202 - 1i);
+phi_503_ = (_e202 - 1i);
 } else {
-phi_502_ = _e316;
+phi_503_ = _e316;
 }
-let _e320 = phi_502_;
+let _e320 = phi_503_;
 let _e322 = ((_e320 - _e284) * _e197);
 let _e323 = (_e299 + 1i);
 let _e325 = select(_e323, 0i, (_e323 < 0i));
 if (_e325 >= _e207) {
-phi_516_ = (_e207 - 1i);
+phi_517_ = (_e207 - 1i);
 } else {
-phi_516_ = _e325;
+phi_517_ = _e325;
 }
-let _e329 = phi_516_;
+let _e329 = phi_517_;
 let _e336 = global_1.member.member_13.member_10;
 let _e337 = bitcast<i32>(_e336);
 let _e342 = ((_e337 + (((_e299 * _e202) + _e284) * _e197)) + _e269);
@@ -367,29 +379,29 @@ local = (_e461 - f32(_e492));
 let _e529 = (_e492 + 1i);
 let _e531 = select(_e529, 0i, (_e529 < 0i));
 if (_e531 >= _e197) {
-phi_832_ = (_e197 - 1i);
+phi_833_ = (_e197 - 1i);
 } else {
-phi_832_ = _e531;
+phi_833_ = _e531;
 }
-let _e535 = phi_832_;
+let _e535 = phi_833_;
 local_1 = (_e535 - _e492);
 let _e537 = (_e507 + 1i);
 let _e539 = select(_e537, 0i, (_e537 < 0i));
 if (_e539 >= _e202) {
-phi_845_ = (_e202 - 1i);
+phi_846_ = (_e202 - 1i);
 } else {
-phi_845_ = _e539;
+phi_846_ = _e539;
 }
-let _e543 = phi_845_;
+let _e543 = phi_846_;
 let _e545 = ((_e543 - _e507) * _e197);
 let _e546 = (_e522 + 1i);
 let _e548 = select(_e546, 0i, (_e546 < 0i));
 if (_e548 >= _e207) {
-phi_859_ = (_e207 - 1i);
+phi_860_ = (_e207 - 1i);
 } else {
-phi_859_ = _e548;
+phi_860_ = _e548;
 }
-let _e552 = phi_859_;
+let _e552 = phi_860_;
 let _e560 = ((_e337 + (((_e522 * _e202) + _e507) * _e197)) + _e492);
 let _e562 = select(_e344, _e560, (_e560 < _e344));
 let _e567 = global_4.member[bitcast<u32>(select(0i, _e562, (_e562 > 0i)))];

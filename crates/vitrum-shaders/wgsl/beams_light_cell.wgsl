@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,37 +150,37 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
+member_18: type_21,
+member_19: type_22,
 }
-struct type_23 {
-member: type_22,
-}
-struct type_25 {
-member: array<u32>,
+struct type_24 {
+member: type_23,
 }
 struct type_26 {
+member: array<u32>,
+}
+struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(3)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(0)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(2)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(1)
-var<storage> global_5: type_25;
+var<storage> global_5: type_26;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -177,47 +189,47 @@ var local_3: i32;
 var local_4: f32;
 var local_5: i32;
 var local_6: i32;
-var phi_273_: vec3<f32>;
-var phi_276_: vec3<f32>;
-var phi_278_: u32;
-var phi_280_: f32;
-var phi_902_: vec3<f32>;
-var phi_905_: vec3<f32>;
-var phi_918_: type_26;
-var phi_1099_: u32;
-var phi_1102_: f32;
-var phi_1237_: i32;
-var phi_1250_: i32;
-var phi_1264_: i32;
-var phi_1580_: i32;
-var phi_1593_: i32;
-var phi_1607_: i32;
-var phi_1100_: u32;
-var phi_1103_: f32;
-var phi_1812_: f32;
-var phi_2042_: vec3<f32>;
-var phi_2043_: vec3<f32>;
-var phi_2044_: f32;
 var phi_274_: vec3<f32>;
 var phi_277_: vec3<f32>;
 var phi_279_: u32;
 var phi_281_: f32;
-var phi_2108_: u32;
-var phi_2114_: u32;
-var phi_2176_: u32;
-var phi_2182_: u32;
-var phi_2244_: u32;
-var phi_2250_: u32;
-var phi_2312_: u32;
-var phi_2318_: u32;
-var phi_2380_: u32;
-var phi_2386_: u32;
-var phi_2448_: u32;
-var phi_2454_: u32;
-var phi_2591_: i32;
-var phi_2604_: i32;
-var phi_2618_: i32;
-var phi_2818_: f32;
+var phi_903_: vec3<f32>;
+var phi_906_: vec3<f32>;
+var phi_919_: type_27;
+var phi_1100_: u32;
+var phi_1103_: f32;
+var phi_1238_: i32;
+var phi_1251_: i32;
+var phi_1265_: i32;
+var phi_1581_: i32;
+var phi_1594_: i32;
+var phi_1608_: i32;
+var phi_1101_: u32;
+var phi_1104_: f32;
+var phi_1813_: f32;
+var phi_2043_: vec3<f32>;
+var phi_2044_: vec3<f32>;
+var phi_2045_: f32;
+var phi_275_: vec3<f32>;
+var phi_278_: vec3<f32>;
+var phi_280_: u32;
+var phi_282_: f32;
+var phi_2109_: u32;
+var phi_2115_: u32;
+var phi_2177_: u32;
+var phi_2183_: u32;
+var phi_2245_: u32;
+var phi_2251_: u32;
+var phi_2313_: u32;
+var phi_2319_: u32;
+var phi_2381_: u32;
+var phi_2387_: u32;
+var phi_2449_: u32;
+var phi_2455_: u32;
+var phi_2592_: i32;
+var phi_2605_: i32;
+var phi_2619_: i32;
+var phi_2819_: f32;
 var local_7: vec3<f32>;
 var local_8: vec3<f32>;
 var local_9: vec3<f32>;
@@ -243,15 +255,15 @@ let _e131 = (_e120.member * _e130);
 let _e132 = (_e120.member_1 * _e130);
 let _e133 = (_e120.member_2 * _e130);
 let _e138 = (((0.57735026f * 0.6203505f) * ((_e131 + _e132) + _e133)) * _e130);
-phi_273_ = vec3<f32>(0f, 0f, 0f);
-phi_276_ = vec3<f32>(0f, 0f, 0f);
-phi_278_ = 0u;
-phi_280_ = 0f;
+phi_274_ = vec3<f32>(0f, 0f, 0f);
+phi_277_ = vec3<f32>(0f, 0f, 0f);
+phi_279_ = 0u;
+phi_281_ = 0f;
 loop {
-let _e140 = phi_273_;
-let _e142 = phi_276_;
-let _e144 = phi_278_;
-let _e146 = phi_280_;
+let _e140 = phi_274_;
+let _e142 = phi_277_;
+let _e144 = phi_279_;
+let _e146 = phi_281_;
 local_7 = _e142;
 local_8 = _e142;
 local_9 = _e142;
@@ -281,7 +293,7 @@ let _e239 = select(vec3<f32>((_e206.member + (_e210 * _e225)), (_e206.member_1 +
 let _e243 = global_3.member.member_10.member_2;
 if _e237 {
 let _e251 = global_3.member.member_10.member_1;
-phi_918_ = type_26(vec3<f32>(_e251.member, _e251.member_1, _e251.member_2), vec3<f32>(_e243.member, _e243.member_1, _e243.member_2));
+phi_919_ = type_27(vec3<f32>(_e251.member, _e251.member_1, _e251.member_2), vec3<f32>(_e243.member, _e243.member_1, _e243.member_2));
 } else {
 let _e258 = (_e239.x - _e206.member);
 let _e260 = (_e239.y - _e206.member_1);
@@ -382,20 +394,20 @@ let _e547 = global_4.member[bitcast<u32>(select(0i, _e542, (_e542 > 0i)))];
 let _e554 = (_e447 + ((_e475 - _e447) * _e418));
 let _e555 = (_e455 + ((_e483 - _e455) * _e418));
 let _e556 = (_e463 + ((_e491 - _e463) * _e418));
-phi_902_ = vec3<f32>(((_e554 + (((_e503 + ((_e531 - _e503) * _e418)) - _e554) * _e420)) * _e346), ((_e555 + (((_e511 + ((_e539 - _e511) * _e418)) - _e555) * _e420)) * _e346), ((_e556 + (((_e519 + ((_e547 - _e519) * _e418)) - _e556) * _e420)) * _e346));
+phi_903_ = vec3<f32>(((_e554 + (((_e503 + ((_e531 - _e503) * _e418)) - _e554) * _e420)) * _e346), ((_e555 + (((_e511 + ((_e539 - _e511) * _e418)) - _e555) * _e420)) * _e346), ((_e556 + (((_e519 + ((_e547 - _e519) * _e418)) - _e556) * _e420)) * _e346));
 } else {
-phi_902_ = vec3(_e346);
+phi_903_ = vec3(_e346);
 }
-let _e581 = phi_902_;
-phi_905_ = (_e274 * _e581);
+let _e581 = phi_903_;
+phi_906_ = (_e274 * _e581);
 } else {
-phi_905_ = _e274;
+phi_906_ = _e274;
 }
-let _e584 = phi_905_;
+let _e584 = phi_906_;
 let _e588 = (1f / sqrt(select(0f, _e269, (_e269 > 0f))));
-phi_918_ = type_26(vec3<f32>((_e258 * _e588), (_e260 * _e588), (_e262 * _e588)), _e584);
+phi_919_ = type_27(vec3<f32>((_e258 * _e588), (_e260 * _e588), (_e262 * _e588)), _e584);
 }
-let _e595 = phi_918_;
+let _e595 = phi_919_;
 let _e597 = (_e206.member - _e164);
 let _e598 = (_e206.member_1 - _e165);
 let _e599 = (_e206.member_2 - _e166);
@@ -431,14 +443,14 @@ let _e683 = select(0f, _e679, _e682);
 let _e685 = (select(0f, _e681, _e682) - _e683);
 let _e689 = global_3.member.member_13.member_6;
 if (_e689 == 0u) {
-phi_1812_ = _e685;
+phi_1813_ = _e685;
 } else {
 let _e692 = (_e685 / f32(_e689));
-phi_1099_ = 0u;
-phi_1102_ = 0f;
+phi_1100_ = 0u;
+phi_1103_ = 0f;
 loop {
-let _e694 = phi_1099_;
-let _e696 = phi_1102_;
+let _e694 = phi_1100_;
+let _e696 = phi_1103_;
 local_14 = _e696;
 let _e699 = ((_e694 < _e689) && (_e685 > 0f));
 if _e699 {
@@ -490,29 +502,29 @@ local_4 = (_e740 - f32(_e777));
 let _e814 = (_e777 + 1i);
 let _e816 = select(_e814, 0i, (_e814 < 0i));
 if (_e816 >= _e719) {
-phi_1237_ = (_e719 - 1i);
+phi_1238_ = (_e719 - 1i);
 } else {
-phi_1237_ = _e816;
+phi_1238_ = _e816;
 }
-let _e820 = phi_1237_;
+let _e820 = phi_1238_;
 local_5 = (_e820 - _e777);
 let _e822 = (_e792 + 1i);
 let _e824 = select(_e822, 0i, (_e822 < 0i));
 if (_e824 >= _e724) {
-phi_1250_ = (_e724 - 1i);
+phi_1251_ = (_e724 - 1i);
 } else {
-phi_1250_ = _e824;
+phi_1251_ = _e824;
 }
-let _e828 = phi_1250_;
+let _e828 = phi_1251_;
 let _e830 = ((_e828 - _e792) * _e719);
 let _e831 = (_e807 + 1i);
 let _e833 = select(_e831, 0i, (_e831 < 0i));
 if (_e833 >= _e729) {
-phi_1264_ = (_e729 - 1i);
+phi_1265_ = (_e729 - 1i);
 } else {
-phi_1264_ = _e833;
+phi_1265_ = _e833;
 }
-let _e837 = phi_1264_;
+let _e837 = phi_1265_;
 let _e844 = global_3.member.member_13.member_10;
 let _e845 = bitcast<i32>(_e844);
 let _e850 = ((_e845 + (((_e807 * _e724) + _e792) * _e719)) + _e777);
@@ -581,29 +593,29 @@ local_2 = (_e969 - f32(_e1000));
 let _e1037 = (_e1000 + 1i);
 let _e1039 = select(_e1037, 0i, (_e1037 < 0i));
 if (_e1039 >= _e719) {
-phi_1580_ = (_e719 - 1i);
+phi_1581_ = (_e719 - 1i);
 } else {
-phi_1580_ = _e1039;
+phi_1581_ = _e1039;
 }
-let _e1043 = phi_1580_;
+let _e1043 = phi_1581_;
 local_3 = (_e1043 - _e1000);
 let _e1045 = (_e1015 + 1i);
 let _e1047 = select(_e1045, 0i, (_e1045 < 0i));
 if (_e1047 >= _e724) {
-phi_1593_ = (_e724 - 1i);
+phi_1594_ = (_e724 - 1i);
 } else {
-phi_1593_ = _e1047;
+phi_1594_ = _e1047;
 }
-let _e1051 = phi_1593_;
+let _e1051 = phi_1594_;
 let _e1053 = ((_e1051 - _e1015) * _e719);
 let _e1054 = (_e1030 + 1i);
 let _e1056 = select(_e1054, 0i, (_e1054 < 0i));
 if (_e1056 >= _e729) {
-phi_1607_ = (_e729 - 1i);
+phi_1608_ = (_e729 - 1i);
 } else {
-phi_1607_ = _e1056;
+phi_1608_ = _e1056;
 }
-let _e1060 = phi_1607_;
+let _e1060 = phi_1608_;
 let _e1068 = ((_e845 + (((_e1030 * _e724) + _e1015) * _e719)) + _e1000);
 let _e1070 = select(_e852, _e1068, (_e1068 < _e852));
 let _e1075 = global_1.member[bitcast<u32>(select(0i, _e1070, (_e1070 > 0i)))];
@@ -641,25 +653,25 @@ let _e1154 = (_e1142 + _e1153);
 let _e1156 = select(_e852, _e1154, (_e1154 < _e852));
 let _e1161 = global_1.member[bitcast<u32>(select(0i, _e1156, (_e1156 > 0i)))];
 let _e1162 = local_2;
-phi_1100_ = (_e694 + 1u);
-phi_1103_ = (_e696 + ((0.5f * (((((((_e859 * (1f - _e860)) + (_e871 * _e872)) * _e875) + (((_e884 * (1f - _e885)) + (_e896 * _e897)) * _e811)) * (1f - _e813)) + (((((_e909 * (1f - _e910)) + (_e921 * _e922)) * _e875) + (((_e933 * (1f - _e934)) + (_e945 * _e946)) * _e811)) * _e813)) + ((((((_e1075 * (1f - _e1076)) + (_e1087 * _e1088)) * _e1091) + (((_e1100 * (1f - _e1101)) + (_e1112 * _e1113)) * _e1034)) * (1f - _e1036)) + (((((_e1125 * (1f - _e1126)) + (_e1137 * _e1138)) * _e1091) + (((_e1149 * (1f - _e1150)) + (_e1161 * _e1162)) * _e1034)) * _e1036)))) * _e706));
+phi_1101_ = (_e694 + 1u);
+phi_1104_ = (_e696 + ((0.5f * (((((((_e859 * (1f - _e860)) + (_e871 * _e872)) * _e875) + (((_e884 * (1f - _e885)) + (_e896 * _e897)) * _e811)) * (1f - _e813)) + (((((_e909 * (1f - _e910)) + (_e921 * _e922)) * _e875) + (((_e933 * (1f - _e934)) + (_e945 * _e946)) * _e811)) * _e813)) + ((((((_e1075 * (1f - _e1076)) + (_e1087 * _e1088)) * _e1091) + (((_e1100 * (1f - _e1101)) + (_e1112 * _e1113)) * _e1034)) * (1f - _e1036)) + (((((_e1125 * (1f - _e1126)) + (_e1137 * _e1138)) * _e1091) + (((_e1149 * (1f - _e1150)) + (_e1161 * _e1162)) * _e1034)) * _e1036)))) * _e706));
 } else {
-phi_1100_ = u32();
-phi_1103_ = f32();
+phi_1101_ = u32();
+phi_1104_ = f32();
 }
-let _e1177 = phi_1100_;
-let _e1179 = phi_1103_;
+let _e1177 = phi_1101_;
+let _e1179 = phi_1104_;
 continue;
 continuing {
-phi_1099_ = _e1177;
-phi_1102_ = _e1179;
+phi_1100_ = _e1177;
+phi_1103_ = _e1179;
 break if !(_e699);
 }
 }
 let _e2125 = local_14;
-phi_1812_ = _e2125;
+phi_1813_ = _e2125;
 }
-let _e1182 = phi_1812_;
+let _e1182 = phi_1813_;
 let _e1187 = global_3.member.member_13.member;
 let _e1192 = -((_e1187.member * _e1182));
 let _e1194 = select(-87f, _e1192, (_e1192 > -87f));
@@ -695,37 +707,37 @@ let _e1336 = (_e595.member_1.x * ((1f + (_e1218 * (1f + (_e1218 * (0.5f + (_e121
 let _e1338 = (_e595.member_1.y * ((1f + (_e1266 * (1f + (_e1266 * (0.5f + (_e1266 * (0.16666667f + (_e1266 * (0.041666668f + (_e1266 * (0.008333334f + (_e1266 * (0.001388889f + (_e1266 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1261 + 127i)) << bitcast<u32>(23i)))));
 let _e1340 = (_e595.member_1.z * ((1f + (_e1314 * (1f + (_e1314 * (0.5f + (_e1314 * (0.16666667f + (_e1314 * (0.041666668f + (_e1314 * (0.008333334f + (_e1314 * (0.001388889f + (_e1314 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1309 + 127i)) << bitcast<u32>(23i)))));
 let _e1350 = (((_e1336 + _e1338) + _e1340) * _e130);
-phi_2042_ = vec3<f32>((_e140.x + (_e595.member.x * _e1350)), (_e140.y + (_e595.member.y * _e1350)), (_e140.z + (_e595.member.z * _e1350)));
-phi_2043_ = vec3<f32>((_e142.x + _e1336), (_e142.y + _e1338), (_e142.z + _e1340));
-phi_2044_ = (_e146 + 1f);
+phi_2043_ = vec3<f32>((_e140.x + (_e595.member.x * _e1350)), (_e140.y + (_e595.member.y * _e1350)), (_e140.z + (_e595.member.z * _e1350)));
+phi_2044_ = vec3<f32>((_e142.x + _e1336), (_e142.y + _e1338), (_e142.z + _e1340));
+phi_2045_ = (_e146 + 1f);
 } else {
-phi_2042_ = _e140;
-phi_2043_ = _e142;
-phi_2044_ = _e146;
+phi_2043_ = _e140;
+phi_2044_ = _e142;
+phi_2045_ = _e146;
 }
-let _e1363 = phi_2042_;
-let _e1365 = phi_2043_;
-let _e1367 = phi_2044_;
-phi_274_ = _e1363;
-phi_277_ = _e1365;
-phi_279_ = (_e144 + 1u);
-phi_281_ = _e1367;
+let _e1363 = phi_2043_;
+let _e1365 = phi_2044_;
+let _e1367 = phi_2045_;
+phi_275_ = _e1363;
+phi_278_ = _e1365;
+phi_280_ = (_e144 + 1u);
+phi_282_ = _e1367;
 } else {
-phi_274_ = vec3<f32>();
-phi_277_ = vec3<f32>();
-phi_279_ = u32();
-phi_281_ = f32();
+phi_275_ = vec3<f32>();
+phi_278_ = vec3<f32>();
+phi_280_ = u32();
+phi_282_ = f32();
 }
-let _e1370 = phi_274_;
-let _e1372 = phi_277_;
-let _e1374 = phi_279_;
-let _e1376 = phi_281_;
+let _e1370 = phi_275_;
+let _e1372 = phi_278_;
+let _e1374 = phi_280_;
+let _e1376 = phi_282_;
 continue;
 continuing {
-phi_273_ = _e1370;
-phi_276_ = _e1372;
-phi_278_ = _e1374;
-phi_280_ = _e1376;
+phi_274_ = _e1370;
+phi_277_ = _e1372;
+phi_279_ = _e1374;
+phi_281_ = _e1376;
 break if !(_e147);
 }
 }
@@ -744,17 +756,17 @@ let _e1418 = select(_e1407, _e1416, (_e1416 < _e1407));
 let _e1424 = global_5.member[bitcast<u32>(select(0i, _e1418, (_e1418 > 0i)))];
 let _e1427 = ((_e1424 >> bitcast<u32>(31i)) != 0u);
 if _e1427 {
-phi_2108_ = (~(_e1415) + 1u);
+phi_2109_ = (~(_e1415) + 1u);
 } else {
-phi_2108_ = _e1415;
+phi_2109_ = _e1415;
 }
-let _e1433 = phi_2108_;
+let _e1433 = phi_2109_;
 if _e1427 {
-phi_2114_ = (~(_e1424) + select(0u, 1u, (_e1415 == 0u)));
+phi_2115_ = (~(_e1424) + select(0u, 1u, (_e1415 == 0u)));
 } else {
-phi_2114_ = _e1424;
+phi_2115_ = _e1424;
 }
-let _e1437 = phi_2114_;
+let _e1437 = phi_2115_;
 let _e1459 = ((((f32(bitcast<i32>(((_e1437 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1437 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1433 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1433 & 65535u)))));
 let _e1465 = (_e1405 + 2i);
 let _e1467 = select(_e1407, _e1465, (_e1465 < _e1407));
@@ -764,17 +776,17 @@ let _e1476 = select(_e1407, _e1474, (_e1474 < _e1407));
 let _e1482 = global_5.member[bitcast<u32>(select(0i, _e1476, (_e1476 > 0i)))];
 let _e1485 = ((_e1482 >> bitcast<u32>(31i)) != 0u);
 if _e1485 {
-phi_2176_ = (~(_e1473) + 1u);
+phi_2177_ = (~(_e1473) + 1u);
 } else {
-phi_2176_ = _e1473;
+phi_2177_ = _e1473;
 }
-let _e1491 = phi_2176_;
+let _e1491 = phi_2177_;
 if _e1485 {
-phi_2182_ = (~(_e1482) + select(0u, 1u, (_e1473 == 0u)));
+phi_2183_ = (~(_e1482) + select(0u, 1u, (_e1473 == 0u)));
 } else {
-phi_2182_ = _e1482;
+phi_2183_ = _e1482;
 }
-let _e1495 = phi_2182_;
+let _e1495 = phi_2183_;
 let _e1517 = ((((f32(bitcast<i32>(((_e1495 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1495 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1491 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1491 & 65535u)))));
 let _e1523 = (_e1405 + 4i);
 let _e1525 = select(_e1407, _e1523, (_e1523 < _e1407));
@@ -784,17 +796,17 @@ let _e1534 = select(_e1407, _e1532, (_e1532 < _e1407));
 let _e1540 = global_5.member[bitcast<u32>(select(0i, _e1534, (_e1534 > 0i)))];
 let _e1543 = ((_e1540 >> bitcast<u32>(31i)) != 0u);
 if _e1543 {
-phi_2244_ = (~(_e1531) + 1u);
+phi_2245_ = (~(_e1531) + 1u);
 } else {
-phi_2244_ = _e1531;
+phi_2245_ = _e1531;
 }
-let _e1549 = phi_2244_;
+let _e1549 = phi_2245_;
 if _e1543 {
-phi_2250_ = (~(_e1540) + select(0u, 1u, (_e1531 == 0u)));
+phi_2251_ = (~(_e1540) + select(0u, 1u, (_e1531 == 0u)));
 } else {
-phi_2250_ = _e1540;
+phi_2251_ = _e1540;
 }
-let _e1553 = phi_2250_;
+let _e1553 = phi_2251_;
 let _e1575 = ((((f32(bitcast<i32>(((_e1553 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1553 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1549 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1549 & 65535u)))));
 let _e1581 = (_e1405 + 6i);
 let _e1583 = select(_e1407, _e1581, (_e1581 < _e1407));
@@ -804,17 +816,17 @@ let _e1592 = select(_e1407, _e1590, (_e1590 < _e1407));
 let _e1598 = global_5.member[bitcast<u32>(select(0i, _e1592, (_e1592 > 0i)))];
 let _e1601 = ((_e1598 >> bitcast<u32>(31i)) != 0u);
 if _e1601 {
-phi_2312_ = (~(_e1589) + 1u);
+phi_2313_ = (~(_e1589) + 1u);
 } else {
-phi_2312_ = _e1589;
+phi_2313_ = _e1589;
 }
-let _e1607 = phi_2312_;
+let _e1607 = phi_2313_;
 if _e1601 {
-phi_2318_ = (~(_e1598) + select(0u, 1u, (_e1589 == 0u)));
+phi_2319_ = (~(_e1598) + select(0u, 1u, (_e1589 == 0u)));
 } else {
-phi_2318_ = _e1598;
+phi_2319_ = _e1598;
 }
-let _e1611 = phi_2318_;
+let _e1611 = phi_2319_;
 let _e1633 = ((((f32(bitcast<i32>(((_e1611 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1611 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1607 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1607 & 65535u)))));
 let _e1639 = (_e1405 + 8i);
 let _e1641 = select(_e1407, _e1639, (_e1639 < _e1407));
@@ -824,17 +836,17 @@ let _e1650 = select(_e1407, _e1648, (_e1648 < _e1407));
 let _e1656 = global_5.member[bitcast<u32>(select(0i, _e1650, (_e1650 > 0i)))];
 let _e1659 = ((_e1656 >> bitcast<u32>(31i)) != 0u);
 if _e1659 {
-phi_2380_ = (~(_e1647) + 1u);
+phi_2381_ = (~(_e1647) + 1u);
 } else {
-phi_2380_ = _e1647;
+phi_2381_ = _e1647;
 }
-let _e1665 = phi_2380_;
+let _e1665 = phi_2381_;
 if _e1659 {
-phi_2386_ = (~(_e1656) + select(0u, 1u, (_e1647 == 0u)));
+phi_2387_ = (~(_e1656) + select(0u, 1u, (_e1647 == 0u)));
 } else {
-phi_2386_ = _e1656;
+phi_2387_ = _e1656;
 }
-let _e1669 = phi_2386_;
+let _e1669 = phi_2387_;
 let _e1691 = ((((f32(bitcast<i32>(((_e1669 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1669 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1665 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1665 & 65535u)))));
 let _e1697 = (_e1405 + 10i);
 let _e1699 = select(_e1407, _e1697, (_e1697 < _e1407));
@@ -844,21 +856,21 @@ let _e1708 = select(_e1407, _e1706, (_e1706 < _e1407));
 let _e1714 = global_5.member[bitcast<u32>(select(0i, _e1708, (_e1708 > 0i)))];
 let _e1717 = ((_e1714 >> bitcast<u32>(31i)) != 0u);
 if _e1717 {
-phi_2448_ = (~(_e1705) + 1u);
+phi_2449_ = (~(_e1705) + 1u);
 } else {
-phi_2448_ = _e1705;
+phi_2449_ = _e1705;
 }
-let _e1723 = phi_2448_;
+let _e1723 = phi_2449_;
 if _e1717 {
-phi_2454_ = (~(_e1714) + select(0u, 1u, (_e1705 == 0u)));
+phi_2455_ = (~(_e1714) + select(0u, 1u, (_e1705 == 0u)));
 } else {
-phi_2454_ = _e1714;
+phi_2455_ = _e1714;
 }
-let _e1727 = phi_2454_;
+let _e1727 = phi_2455_;
 let _e1749 = ((((f32(bitcast<i32>(((_e1727 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1727 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e1723 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e1723 & 65535u)))));
 let _e1758 = global_3.member.member_13.member_6;
 if (_e1758 == 0u) {
-phi_2818_ = 1f;
+phi_2819_ = 1f;
 } else {
 let _e1763 = global_3.member.member_13.member_7;
 let _e1764 = bitcast<i32>(_e1763);
@@ -900,29 +912,29 @@ local = (_e1792 - f32(_e1829));
 let _e1866 = (_e1829 + 1i);
 let _e1868 = select(_e1866, 0i, (_e1866 < 0i));
 if (_e1868 >= _e1764) {
-phi_2591_ = (_e1764 - 1i);
+phi_2592_ = (_e1764 - 1i);
 } else {
-phi_2591_ = _e1868;
+phi_2592_ = _e1868;
 }
-let _e1872 = phi_2591_;
+let _e1872 = phi_2592_;
 local_1 = (_e1872 - _e1829);
 let _e1874 = (_e1844 + 1i);
 let _e1876 = select(_e1874, 0i, (_e1874 < 0i));
 if (_e1876 >= _e1769) {
-phi_2604_ = (_e1769 - 1i);
+phi_2605_ = (_e1769 - 1i);
 } else {
-phi_2604_ = _e1876;
+phi_2605_ = _e1876;
 }
-let _e1880 = phi_2604_;
+let _e1880 = phi_2605_;
 let _e1882 = ((_e1880 - _e1844) * _e1764);
 let _e1883 = (_e1859 + 1i);
 let _e1885 = select(_e1883, 0i, (_e1883 < 0i));
 if (_e1885 >= _e1774) {
-phi_2618_ = (_e1774 - 1i);
+phi_2619_ = (_e1774 - 1i);
 } else {
-phi_2618_ = _e1885;
+phi_2619_ = _e1885;
 }
-let _e1889 = phi_2618_;
+let _e1889 = phi_2619_;
 let _e1896 = global_3.member.member_13.member_10;
 let _e1902 = ((bitcast<i32>(_e1896) + (((_e1859 * _e1769) + _e1844) * _e1764)) + _e1829);
 let _e1904 = (bitcast<i32>(_e89) - 1i);
@@ -962,9 +974,9 @@ let _e1990 = (_e1978 + _e1989);
 let _e1992 = select(_e1904, _e1990, (_e1990 < _e1904));
 let _e1997 = global_1.member[bitcast<u32>(select(0i, _e1992, (_e1992 > 0i)))];
 let _e1998 = local;
-phi_2818_ = ((((((_e1911 * (1f - _e1912)) + (_e1923 * _e1924)) * _e1927) + (((_e1936 * (1f - _e1937)) + (_e1948 * _e1949)) * _e1863)) * (1f - _e1865)) + (((((_e1961 * (1f - _e1962)) + (_e1973 * _e1974)) * _e1927) + (((_e1985 * (1f - _e1986)) + (_e1997 * _e1998)) * _e1863)) * _e1865));
+phi_2819_ = ((((((_e1911 * (1f - _e1912)) + (_e1923 * _e1924)) * _e1927) + (((_e1936 * (1f - _e1937)) + (_e1948 * _e1949)) * _e1863)) * (1f - _e1865)) + (((((_e1961 * (1f - _e1962)) + (_e1973 * _e1974)) * _e1927) + (((_e1985 * (1f - _e1986)) + (_e1997 * _e1998)) * _e1863)) * _e1865));
 }
-let _e2008 = phi_2818_;
+let _e2008 = phi_2819_;
 let _e2010 = local_7;
 let _e2014 = local_8;
 let _e2018 = local_9;

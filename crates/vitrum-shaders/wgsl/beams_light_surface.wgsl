@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_17 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_21 {
+struct type_22 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
-member_1: type_17,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,51 +150,52 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_18,
-member_12: type_19,
-member_13: type_20,
+member_11: type_19,
+member_12: type_20,
+member_13: type_21,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_21,
-member_19: type_22,
-}
-struct type_24 {
-member: type_23,
+member_18: type_22,
+member_19: type_23,
 }
 struct type_25 {
+member: type_24,
+}
+struct type_26 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 member_4: u32,
 }
-struct type_27 {
+struct type_28 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 member_4: f32,
 member_5: bool,
+member_6: bool,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_24;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(7)
-var<storage, read_write> global_5: type_13;
+var<storage, read_write> global_5: type_15;
 @group(0) @binding(4)
-var<storage> global_6: type_13;
+var<storage> global_6: type_15;
 @group(0) @binding(5)
-var<storage> global_7: type_13;
+var<storage> global_7: type_15;
 @group(0) @binding(6)
-var<storage> global_8: type_13;
+var<storage> global_8: type_15;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -199,110 +212,110 @@ var local_11: u32;
 var local_12: u32;
 var local_13: u32;
 var local_14: u32;
-var local_15: type_17;
+var local_15: type_13;
 var local_16: u32;
 var local_17: u32;
-var local_18: type_17;
+var local_18: type_13;
 var local_19: u32;
-var local_20: type_25;
+var local_20: type_26;
 var local_21: i32;
 var local_22: i32;
-var phi_2481_: type_27;
-var phi_2545_: bool;
-var phi_2577_: f32;
-var phi_2657_: u32;
+var phi_2482_: type_28;
+var phi_2546_: bool;
+var phi_2578_: f32;
 var phi_2658_: u32;
-var phi_2670_: u32;
+var phi_2659_: u32;
 var phi_2671_: u32;
+var phi_2672_: u32;
 var local_23: u32;
 var local_24: u32;
-var phi_2688_: u32;
 var phi_2689_: u32;
-var phi_2701_: u32;
+var phi_2690_: u32;
 var phi_2702_: u32;
+var phi_2703_: u32;
 var local_25: u32;
 var local_26: u32;
 var local_27: u32;
-var phi_2727_: u32;
 var phi_2728_: u32;
+var phi_2729_: u32;
 var local_28: u32;
 var local_29: u32;
-var phi_2745_: u32;
 var phi_2746_: u32;
+var phi_2747_: u32;
 var local_30: u32;
 var local_31: u32;
-var phi_2768_: u32;
 var phi_2769_: u32;
-var phi_2781_: u32;
+var phi_2770_: u32;
 var phi_2782_: u32;
+var phi_2783_: u32;
 var local_32: u32;
 var local_33: u32;
 var local_34: u32;
-var phi_2818_: u32;
+var phi_2819_: u32;
 var local_35: u32;
-var phi_2831_: vec3<f32>;
-var phi_2834_: type_17;
-var phi_3093_: u32;
-var phi_3124_: u32;
-var phi_3148_: u32;
-var phi_3184_: u32;
-var phi_3255_: u32;
-var phi_3345_: u32;
+var phi_2832_: vec3<f32>;
+var phi_2835_: type_13;
+var phi_3094_: u32;
+var phi_3125_: u32;
 var phi_3149_: u32;
-var phi_3396_: u32;
-var phi_3398_: vec3<f32>;
-var phi_3401_: u32;
-var phi_3430_: u32;
-var phi_3476_: i32;
-var phi_5355_: f32;
-var phi_5356_: f32;
-var phi_5379_: u32;
-var phi_5382_: f32;
-var phi_5517_: i32;
-var phi_5530_: i32;
-var phi_5544_: i32;
-var phi_5860_: i32;
-var phi_5873_: i32;
-var phi_5887_: i32;
-var phi_5380_: u32;
-var phi_5383_: f32;
-var phi_6092_: f32;
-var phi_6425_: vec3<f32>;
-var phi_6426_: vec3<f32>;
-var phi_6427_: bool;
-var phi_6431_: vec3<f32>;
-var phi_6432_: bool;
-var phi_6448_: vec3<f32>;
+var phi_3185_: u32;
+var phi_3256_: u32;
+var phi_3346_: u32;
+var phi_3150_: u32;
+var phi_3397_: u32;
 var phi_3399_: vec3<f32>;
 var phi_3402_: u32;
-var phi_6458_: type_17;
-var phi_6459_: type_17;
-var phi_6480_: vec3<f32>;
-var phi_6481_: type_17;
-var phi_2832_: vec3<f32>;
-var phi_2835_: type_17;
+var phi_3431_: u32;
+var phi_3477_: i32;
+var phi_5356_: f32;
+var phi_5357_: f32;
+var phi_5380_: u32;
+var phi_5383_: f32;
+var phi_5518_: i32;
+var phi_5531_: i32;
+var phi_5545_: i32;
+var phi_5861_: i32;
+var phi_5874_: i32;
+var phi_5888_: i32;
+var phi_5381_: u32;
+var phi_5384_: f32;
+var phi_6093_: f32;
+var phi_6426_: vec3<f32>;
+var phi_6427_: vec3<f32>;
+var phi_6428_: bool;
+var phi_6432_: vec3<f32>;
+var phi_6433_: bool;
+var phi_6449_: vec3<f32>;
+var phi_3400_: vec3<f32>;
+var phi_3403_: u32;
+var phi_6459_: type_13;
+var phi_6460_: type_13;
+var phi_6481_: vec3<f32>;
+var phi_6482_: type_13;
+var phi_2833_: vec3<f32>;
+var phi_2836_: type_13;
 var local_36: vec3<f32>;
 var local_37: vec3<f32>;
 var local_38: vec3<f32>;
-var phi_6638_: u32;
-var phi_6641_: f32;
-var phi_6776_: i32;
-var phi_6789_: i32;
-var phi_6803_: i32;
-var phi_7119_: i32;
-var phi_7132_: i32;
-var phi_7146_: i32;
 var phi_6639_: u32;
 var phi_6642_: f32;
-var phi_7351_: f32;
-var phi_7590_: array<f32, 22>;
+var phi_6777_: i32;
+var phi_6790_: i32;
+var phi_6804_: i32;
+var phi_7120_: i32;
+var phi_7133_: i32;
+var phi_7147_: i32;
+var phi_6640_: u32;
+var phi_6643_: f32;
+var phi_7352_: f32;
 var phi_7591_: array<f32, 22>;
-var phi_7592_: bool;
-var phi_7596_: array<f32, 22>;
+var phi_7592_: array<f32, 22>;
+var phi_7593_: bool;
+var phi_7597_: array<f32, 22>;
 var local_39: u32;
 var local_40: f32;
 var local_41: vec3<f32>;
-var local_42: type_17;
+var local_42: type_13;
 var local_43: f32;
 let _e134 = global;
 let _e143 = arrayLength((&global_4.member));
@@ -646,7 +659,7 @@ let _e1280 = global_7.member[bitcast<u32>(select(0i, _e1274, (_e1274 > 0i)))];
 let _e1288 = (_e1189 + 9i);
 let _e1290 = select(_e1191, _e1288, (_e1288 < _e1191));
 let _e1296 = global_7.member[bitcast<u32>(select(0i, _e1290, (_e1290 > 0i)))];
-phi_2481_ = type_27(_e833, vec3<f32>((_e975 * _e1056), (_e978 * _e1056), (_e981 * _e1056)), vec3<f32>((_e1154 * _e1167), (_e1155 * _e1167), (_e1156 * _e1167)), vec3<f32>((((_e1199 * _e1043) + (_e1229 * _e1044)) + (_e1262 * _e1045)), (((_e1208 * _e1043) + (_e1238 * _e1044)) + (_e1271 * _e1045)), (((_e1217 * _e1043) + (_e1247 * _e1044)) + (_e1280 * _e1045))), _e1296, true);
+phi_2482_ = type_28(_e833, vec3<f32>((_e975 * _e1056), (_e978 * _e1056), (_e981 * _e1056)), vec3<f32>((_e1154 * _e1167), (_e1155 * _e1167), (_e1156 * _e1167)), vec3<f32>((((_e1199 * _e1043) + (_e1229 * _e1044)) + (_e1262 * _e1045)), (((_e1208 * _e1043) + (_e1238 * _e1044)) + (_e1271 * _e1045)), (((_e1217 * _e1043) + (_e1247 * _e1044)) + (_e1280 * _e1045))), _e1296, true, false);
 } else {
 let _e840 = (_e728 == -3i);
 let _e846 = global_1.member.member_14.member_1.member.member;
@@ -654,9 +667,9 @@ let _e851 = global_1.member.member_14.member_1.member_1;
 let _e857 = global_1.member.member_14.member.member.member;
 let _e862 = global_1.member.member_14.member.member_1;
 let _e872 = vec3<f32>(select(_e857.member, _e846.member, _e840), select(_e857.member_1, _e846.member_1, _e840), select(_e857.member_2, _e846.member_2, _e840));
-phi_2481_ = type_27(_e833, _e872, _e872, vec3<f32>(select(_e862.member, _e851.member, _e840), select(_e862.member_1, _e851.member_1, _e840), select(_e862.member_2, _e851.member_2, _e840)), 0f, false);
+phi_2482_ = type_28(_e833, _e872, _e872, vec3<f32>(select(_e862.member, _e851.member, _e840), select(_e862.member_1, _e851.member_1, _e840), select(_e862.member_2, _e851.member_2, _e840)), 0f, false, _e840);
 }
-let _e1299 = phi_2481_;
+let _e1299 = phi_2482_;
 let _e1302 = ((select(0i, _e728, _e839) * 19i) + 18i);
 let _e1304 = (bitcast<i32>(_e145) - 1i);
 let _e1306 = select(_e1304, _e1302, (_e1302 < _e1304));
@@ -667,11 +680,11 @@ let _e1322 = (bitcast<i32>(arrayLength((&global_8.member))) - 1i);
 let _e1324 = select(_e1322, _e1320, (_e1320 < _e1322));
 let _e1330 = global_8.member[bitcast<u32>(select(0i, _e1324, (_e1324 > 0i)))];
 if _e839 {
-phi_2545_ = (select(_e1330, 1f, (_e1319 == 16i)) == 0f);
+phi_2546_ = (select(_e1330, 1f, (_e1319 == 16i)) == 0f);
 } else {
-phi_2545_ = (_e728 != -1i);
+phi_2546_ = (_e728 != -1i);
 }
-let _e1336 = phi_2545_;
+let _e1336 = phi_2546_;
 if _e1336 {
 let _e1340 = (_e534 + (_e600 * _e710));
 let _e1341 = (_e545 + (_e611 * _e710));
@@ -681,11 +694,11 @@ let _e1347 = (_e578 + (_e644 * _e710));
 let _e1348 = (_e589 + (_e655 * _e710));
 let _e1357 = (((_e501 * _e1299.member_1.x) + (_e512 * _e1299.member_1.y)) + (_e523 * _e1299.member_1.z));
 if ((_e1357 * _e1357) > 1e-12f) {
-phi_2577_ = (1f / _e1357);
+phi_2578_ = (1f / _e1357);
 } else {
-phi_2577_ = 0f;
+phi_2578_ = 0f;
 }
-let _e1362 = phi_2577_;
+let _e1362 = phi_2578_;
 let _e1368 = ((((_e1340 * _e1299.member_1.x) + (_e1341 * _e1299.member_1.y)) + (_e1342 * _e1299.member_1.z)) * _e1362);
 let _e1372 = (_e1340 - (_e501 * _e1368));
 let _e1373 = (_e1341 - (_e512 * _e1368));
@@ -700,75 +713,75 @@ let _e1405 = (0.05f + (0.5f * (sqrt(select(0f, _e1391, (_e1391 > 0f))) + sqrt(se
 let _e1409 = global_1.member.member_11.member;
 let _e1415 = global_1.member.member_12.member_5;
 let _e1419 = global_1.member.member_12.member_6;
-phi_2657_ = 0u;
+phi_2658_ = 0u;
 loop {
-let _e1423 = phi_2657_;
+let _e1423 = phi_2658_;
 local_35 = _e1423;
 let _e1427 = ((1u << bitcast<u32>((_e1423 & 31u))) < _e1409);
 if _e1427 {
-phi_2658_ = (_e1423 + 1u);
+phi_2659_ = (_e1423 + 1u);
 } else {
-phi_2658_ = u32();
+phi_2659_ = u32();
 }
-let _e1430 = phi_2658_;
+let _e1430 = phi_2659_;
 continue;
 continuing {
-phi_2657_ = _e1430;
+phi_2658_ = _e1430;
 break if !(_e1427);
 }
 }
-phi_2670_ = 0u;
+phi_2671_ = 0u;
 loop {
-let _e1433 = phi_2670_;
+let _e1433 = phi_2671_;
 local_23 = _e1433;
 local_24 = _e1433;
 let _e1437 = ((1u << bitcast<u32>((_e1433 & 31u))) < _e1409);
 if _e1437 {
-phi_2671_ = (_e1433 + 1u);
+phi_2672_ = (_e1433 + 1u);
 } else {
-phi_2671_ = u32();
+phi_2672_ = u32();
 }
-let _e1440 = phi_2671_;
+let _e1440 = phi_2672_;
 continue;
 continuing {
-phi_2670_ = _e1440;
+phi_2671_ = _e1440;
 break if !(_e1437);
 }
 }
 let _e1443 = local_23;
 let _e1446 = local_24;
-phi_2688_ = 0u;
+phi_2689_ = 0u;
 loop {
-let _e1449 = phi_2688_;
+let _e1449 = phi_2689_;
 local_27 = _e1449;
 let _e1453 = ((1u << bitcast<u32>((_e1449 & 31u))) < _e1409);
 if _e1453 {
-phi_2689_ = (_e1449 + 1u);
+phi_2690_ = (_e1449 + 1u);
 } else {
-phi_2689_ = u32();
+phi_2690_ = u32();
 }
-let _e1456 = phi_2689_;
+let _e1456 = phi_2690_;
 continue;
 continuing {
-phi_2688_ = _e1456;
+phi_2689_ = _e1456;
 break if !(_e1453);
 }
 }
-phi_2701_ = 0u;
+phi_2702_ = 0u;
 loop {
-let _e1459 = phi_2701_;
+let _e1459 = phi_2702_;
 local_25 = _e1459;
 local_26 = _e1459;
 let _e1463 = ((1u << bitcast<u32>((_e1459 & 31u))) < _e1409);
 if _e1463 {
-phi_2702_ = (_e1459 + 1u);
+phi_2703_ = (_e1459 + 1u);
 } else {
-phi_2702_ = u32();
+phi_2703_ = u32();
 }
-let _e1466 = phi_2702_;
+let _e1466 = phi_2703_;
 continue;
 continuing {
-phi_2701_ = _e1466;
+phi_2702_ = _e1466;
 break if !(_e1463);
 }
 }
@@ -776,78 +789,78 @@ let _e1469 = local_25;
 let _e1472 = local_26;
 let _e1475 = local_27;
 let _e1484 = global_1.member.member_12.member_8;
-phi_2727_ = 0u;
+phi_2728_ = 0u;
 loop {
-let _e1487 = phi_2727_;
+let _e1487 = phi_2728_;
 local_28 = _e1487;
 local_29 = _e1487;
 let _e1491 = ((1u << bitcast<u32>((_e1487 & 31u))) < _e1409);
 if _e1491 {
-phi_2728_ = (_e1487 + 1u);
+phi_2729_ = (_e1487 + 1u);
 } else {
-phi_2728_ = u32();
+phi_2729_ = u32();
 }
-let _e1494 = phi_2728_;
+let _e1494 = phi_2729_;
 continue;
 continuing {
-phi_2727_ = _e1494;
+phi_2728_ = _e1494;
 break if !(_e1491);
 }
 }
 let _e1497 = local_28;
 let _e1500 = local_29;
-phi_2745_ = 0u;
+phi_2746_ = 0u;
 loop {
-let _e1503 = phi_2745_;
+let _e1503 = phi_2746_;
 local_30 = _e1503;
 local_31 = _e1503;
 let _e1507 = ((1u << bitcast<u32>((_e1503 & 31u))) < _e1409);
 if _e1507 {
-phi_2746_ = (_e1503 + 1u);
+phi_2747_ = (_e1503 + 1u);
 } else {
-phi_2746_ = u32();
+phi_2747_ = u32();
 }
-let _e1510 = phi_2746_;
+let _e1510 = phi_2747_;
 continue;
 continuing {
-phi_2745_ = _e1510;
+phi_2746_ = _e1510;
 break if !(_e1507);
 }
 }
 let _e1513 = local_30;
 let _e1519 = local_31;
-phi_2768_ = 0u;
+phi_2769_ = 0u;
 loop {
-let _e1529 = phi_2768_;
+let _e1529 = phi_2769_;
 local_34 = _e1529;
 let _e1533 = ((1u << bitcast<u32>((_e1529 & 31u))) < _e1409);
 if _e1533 {
-phi_2769_ = (_e1529 + 1u);
+phi_2770_ = (_e1529 + 1u);
 } else {
-phi_2769_ = u32();
+phi_2770_ = u32();
 }
-let _e1536 = phi_2769_;
+let _e1536 = phi_2770_;
 continue;
 continuing {
-phi_2768_ = _e1536;
+phi_2769_ = _e1536;
 break if !(_e1533);
 }
 }
-phi_2781_ = 0u;
+phi_2782_ = 0u;
 loop {
-let _e1539 = phi_2781_;
+let _e1539 = phi_2782_;
 local_32 = _e1539;
 local_33 = _e1539;
 let _e1543 = ((1u << bitcast<u32>((_e1539 & 31u))) < _e1409);
 if _e1543 {
-phi_2782_ = (_e1539 + 1u);
+phi_2783_ = (_e1539 + 1u);
 } else {
-phi_2782_ = u32();
+phi_2783_ = u32();
 }
-let _e1546 = phi_2782_;
+let _e1546 = phi_2783_;
 continue;
 continuing {
-phi_2781_ = _e1546;
+phi_2782_ = _e1546;
 break if !(_e1543);
 }
 }
@@ -857,19 +870,19 @@ let _e1555 = local_34;
 let _e1561 = (((((1u << bitcast<u32>(((2u * _e1513) & 31u))) - (1u << bitcast<u32>(((2u * (_e1519 - select(6u, _e1500, (_e1497 < 6u)))) & 31u)))) / 3u) * 4u) + (1u << bitcast<u32>(((2u * (_e1555 - select(6u, _e1552, (_e1549 < 6u)))) & 31u))));
 let _e1562 = (_e1561 / 64u);
 if ((_e1561 % 64u) > 0u) {
-phi_2818_ = (_e1562 + 1u);
+phi_2819_ = (_e1562 + 1u);
 } else {
-phi_2818_ = _e1562;
+phi_2819_ = _e1562;
 }
-let _e1567 = phi_2818_;
+let _e1567 = phi_2819_;
 let _e1570 = local_35;
-local_20 = type_25(_e1570, select(6u, _e1446, (_e1443 < 6u)), (1u << bitcast<u32>(((2u * (_e1475 - select(6u, _e1472, (_e1469 < 6u)))) & 31u))), (_e1415 * _e1484), (_e1567 * 64u));
+local_20 = type_26(_e1570, select(6u, _e1446, (_e1443 < 6u)), (1u << bitcast<u32>(((2u * (_e1475 - select(6u, _e1472, (_e1469 < 6u)))) & 31u))), (_e1415 * _e1484), (_e1567 * 64u));
 let _e1573 = local_20.member_1;
-phi_2831_ = vec3<f32>(0f, 0f, 0f);
-phi_2834_ = type_17(_e1573, 0u);
+phi_2832_ = vec3<f32>(0f, 0f, 0f);
+phi_2835_ = type_13(_e1573, 0u);
 loop {
-let _e1576 = phi_2831_;
-let _e1578 = phi_2834_;
+let _e1576 = phi_2832_;
+let _e1578 = phi_2835_;
 local_36 = _e1576;
 local_37 = _e1576;
 local_38 = _e1576;
@@ -924,14 +937,14 @@ let _e1722 = ((((_e1624 <= _e1677) && ((_e1299.member.x >= (_e1624 - _e1405)) &&
 let _e1723 = local_20.member_1;
 if (_e1723 < 2u) {
 let _e1725 = local_20.member_1;
-phi_3093_ = _e1725;
+phi_3094_ = _e1725;
 } else {
-phi_3093_ = 2u;
+phi_3094_ = 2u;
 }
-let _e1727 = phi_3093_;
+let _e1727 = phi_3094_;
 if (_e1722 && (_e1578.member > _e1727)) {
-phi_6480_ = _e1576;
-phi_6481_ = type_17((_e1578.member - 1u), (_e1578.member_1 << bitcast<u32>(2i)));
+phi_6481_ = _e1576;
+phi_6482_ = type_13((_e1578.member - 1u), (_e1578.member_1 << bitcast<u32>(2i)));
 } else {
 if _e1722 {
 local_15.member = _e1578.member;
@@ -940,18 +953,18 @@ let _e1732 = local_15.member_1;
 let _e1733 = local_20.member_1;
 if (_e1733 < 2u) {
 let _e1735 = local_20.member_1;
-phi_3124_ = _e1735;
+phi_3125_ = _e1735;
 } else {
-phi_3124_ = 2u;
+phi_3125_ = 2u;
 }
-let _e1737 = phi_3124_;
+let _e1737 = phi_3125_;
 let _e1743 = local_20.member_3;
 let _e1744 = local_20.member_4;
 let _e1747 = local_20.member_4;
 local_16 = 0u;
-phi_3148_ = 0u;
+phi_3149_ = 0u;
 loop {
-let _e1753 = phi_3148_;
+let _e1753 = phi_3149_;
 local_39 = _e1753;
 let _e1754 = local_16;
 let _e1755 = (_e1754 < select(0u, 16u, ((((_e1732 << bitcast<u32>(((2u * _e1737) & 31u))) + 16u) <= _e1747) && ((_e1743 + (24u * _e1744)) <= _e143))));
@@ -964,11 +977,11 @@ let _e1759 = local_20.member_4;
 let _e1762 = local_20.member_1;
 if (_e1762 < 2u) {
 let _e1764 = local_20.member_1;
-phi_3184_ = _e1764;
+phi_3185_ = _e1764;
 } else {
-phi_3184_ = 2u;
+phi_3185_ = 2u;
 }
-let _e1766 = phi_3184_;
+let _e1766 = phi_3185_;
 local_14 = ((_e1758 + (18u * _e1759)) + (_e1756 << bitcast<u32>(((2u * _e1766) & 31u))));
 let _e1772 = local_14;
 let _e1774 = local_13;
@@ -989,11 +1002,11 @@ let _e1804 = local_20.member_4;
 let _e1807 = local_20.member_1;
 if (_e1807 < 2u) {
 let _e1809 = local_20.member_1;
-phi_3255_ = _e1809;
+phi_3256_ = _e1809;
 } else {
-phi_3255_ = 2u;
+phi_3256_ = 2u;
 }
-let _e1811 = phi_3255_;
+let _e1811 = phi_3256_;
 local_12 = ((_e1803 + (21u * _e1804)) + (_e1801 << bitcast<u32>(((2u * _e1811) & 31u))));
 let _e1817 = local_12;
 let _e1819 = local_11;
@@ -1011,11 +1024,11 @@ let _e1866 = local_15.member_1;
 let _e1867 = local_20.member_1;
 if (_e1867 < 2u) {
 let _e1869 = local_20.member_1;
-phi_3345_ = _e1869;
+phi_3346_ = _e1869;
 } else {
-phi_3345_ = 2u;
+phi_3346_ = 2u;
 }
-let _e1871 = phi_3345_;
+let _e1871 = phi_3346_;
 let _e1873 = ((2u * _e1871) & 31u);
 let _e1876 = ((_e1866 << bitcast<u32>(_e1873)) + _e1865);
 let _e1877 = (_e1876 & 1431655765u);
@@ -1029,46 +1042,46 @@ let _e1908 = ((_e1904 | (_e1904 >> bitcast<u32>(4i))) & 16711935u);
 let _e1922 = local_16;
 let _e1927 = local_16;
 local_16 = (_e1927 + 1u);
-phi_3149_ = (_e1753 | (select(0u, 1u, ((((_e1865 < (1u << bitcast<u32>(_e1873))) && (((_e1889 | (_e1889 >> bitcast<u32>(8i))) & 65535u) < _e1409)) && (((_e1908 | (_e1908 >> bitcast<u32>(8i))) & 65535u) < _e1409)) && ((((_e1779 <= _e1824) && ((_e1299.member.x >= (_e1779 - _e1405)) && (_e1299.member.x <= (_e1824 + _e1405)))) && ((_e1299.member.y >= (_e1789 - _e1405)) && (_e1299.member.y <= (_e1834 + _e1405)))) && ((_e1299.member.z >= (_e1800 - _e1405)) && (_e1299.member.z <= (_e1845 + _e1405)))))) << bitcast<u32>((_e1922 & 31u))));
+phi_3150_ = (_e1753 | (select(0u, 1u, ((((_e1865 < (1u << bitcast<u32>(_e1873))) && (((_e1889 | (_e1889 >> bitcast<u32>(8i))) & 65535u) < _e1409)) && (((_e1908 | (_e1908 >> bitcast<u32>(8i))) & 65535u) < _e1409)) && ((((_e1779 <= _e1824) && ((_e1299.member.x >= (_e1779 - _e1405)) && (_e1299.member.x <= (_e1824 + _e1405)))) && ((_e1299.member.y >= (_e1789 - _e1405)) && (_e1299.member.y <= (_e1834 + _e1405)))) && ((_e1299.member.z >= (_e1800 - _e1405)) && (_e1299.member.z <= (_e1845 + _e1405)))))) << bitcast<u32>((_e1922 & 31u))));
 } else {
-phi_3149_ = u32();
+phi_3150_ = u32();
 }
-let _e1930 = phi_3149_;
+let _e1930 = phi_3150_;
 continue;
 continuing {
-phi_3148_ = _e1930;
+phi_3149_ = _e1930;
 break if !(_e1755);
 }
 }
 let _e4741 = local_39;
-phi_3396_ = _e4741;
+phi_3397_ = _e4741;
 } else {
-phi_3396_ = 0u;
+phi_3397_ = 0u;
 }
-let _e1933 = phi_3396_;
-phi_3398_ = _e1576;
-phi_3401_ = 0u;
+let _e1933 = phi_3397_;
+phi_3399_ = _e1576;
+phi_3402_ = 0u;
 loop {
-let _e1935 = phi_3398_;
-let _e1937 = phi_3401_;
+let _e1935 = phi_3399_;
+let _e1937 = phi_3402_;
 local_41 = _e1935;
 let _e1940 = (_e1933 >> bitcast<u32>((_e1937 & 31u)));
 let _e1941 = (_e1940 == 0u);
 if _e1941 {
-phi_3399_ = vec3<f32>();
-phi_3402_ = u32();
+phi_3400_ = vec3<f32>();
+phi_3403_ = u32();
 } else {
 if ((_e1940 & 1u) == 0u) {
-phi_6448_ = _e1935;
+phi_6449_ = _e1935;
 } else {
 let _e1944 = local_20.member_1;
 if (_e1944 < 2u) {
 let _e1946 = local_20.member_1;
-phi_3430_ = _e1946;
+phi_3431_ = _e1946;
 } else {
-phi_3430_ = 2u;
+phi_3431_ = 2u;
 }
-let _e1948 = phi_3430_;
+let _e1948 = phi_3431_;
 let _e1950 = ((2u * _e1948) & 31u);
 let _e1953 = ((_e1578.member_1 << bitcast<u32>(_e1950)) + _e1937);
 let _e1954 = (_e1953 & 1431655765u);
@@ -1082,11 +1095,11 @@ let _e1981 = ((_e1977 | (_e1977 >> bitcast<u32>(2i))) & 252645135u);
 let _e1985 = ((_e1981 | (_e1981 >> bitcast<u32>(4i))) & 16711935u);
 let _e1989 = ((_e1985 | (_e1985 >> bitcast<u32>(8i))) & 65535u);
 if (((_e1937 < (1u << bitcast<u32>(_e1950))) && (_e1970 < _e1409)) && (_e1989 < _e1409)) {
-phi_3476_ = bitcast<i32>(((_e1989 * _e1409) + _e1970));
+phi_3477_ = bitcast<i32>(((_e1989 * _e1409) + _e1970));
 } else {
-phi_3476_ = 0i;
+phi_3477_ = 0i;
 }
-let _e2001 = phi_3476_;
+let _e2001 = phi_3477_;
 local_8 = bitcast<i32>((_e1415 * _e1419));
 local_9 = _e2001;
 local_10 = bitcast<i32>((_e1409 * _e1409));
@@ -1231,8 +1244,8 @@ let _e2298 = global_3.member[bitcast<u32>(select(0i, _e2293, (_e2293 > 0i)))];
 let _e2303 = (((_e1299.member_1.x * _e2051) + (_e1299.member_1.y * _e2064)) + (_e1299.member_1.z * _e2077));
 let _e2306 = bitcast<f32>((bitcast<u32>(_e2303) & 2147483647u));
 if (_e2306 < 1e-6f) {
-phi_6431_ = vec3<f32>();
-phi_6432_ = true;
+phi_6432_ = vec3<f32>();
+phi_6433_ = true;
 } else {
 let _e2308 = (1f / _e2303);
 let _e2317 = ((((_e1299.member_1.x * (_e1299.member.x - _e2013)) + (_e1299.member_1.y * (_e1299.member.y - _e2025))) + (_e1299.member_1.z * (_e1299.member.z - _e2038))) * _e2308);
@@ -1252,8 +1265,8 @@ let _e2352 = (_e2340 - (_e2064 * _e2347));
 let _e2353 = (_e2341 - (_e2077 * _e2347));
 let _e2389 = (((0.5f * (bitcast<f32>((bitcast<u32>((((_e2333 * _e2051) + (_e2334 * _e2064)) + (_e2335 * _e2077))) & 2147483647u)) + bitcast<f32>((bitcast<u32>((((_e2351 * _e2051) + (_e2352 * _e2064)) + (_e2353 * _e2077))) & 2147483647u)))) + bitcast<f32>((bitcast<u32>((((_e1372 * _e2051) + (_e1373 * _e2064)) + (_e1374 * _e2077))) & 2147483647u))) + bitcast<f32>((bitcast<u32>((((_e1384 * _e2051) + (_e1385 * _e2064)) + (_e1386 * _e2077))) & 2147483647u)));
 if ((_e2317 < (-(0.05f) - _e2389)) || (bitcast<f32>((bitcast<u32>((_e2317 - _e2298)) & 2147483647u)) > (_e2389 + 0.05f))) {
-phi_6426_ = vec3<f32>();
-phi_6427_ = true;
+phi_6427_ = vec3<f32>();
+phi_6428_ = true;
 } else {
 let _e2406 = (_e1299.member.x - (_e2013 + (_e2051 * _e2317)));
 let _e2407 = (_e1299.member.y - (_e2025 + (_e2064 * _e2317)));
@@ -1317,7 +1330,7 @@ let _e3059 = select(0f, _e3057, (_e3057 > 0f));
 let _e3061 = select(_e3029, _e3059, (_e3059 < _e3029));
 let _e3064 = (_e3057 - _e3029);
 let _e3068 = (((_e3061 * (_e3061 * _e3032)) + select(0f, _e3064, (_e3064 > 0f))) * _e3033);
-phi_5356_ = ((((select(_e2997, (1f - _e2997), (_e2982 >= 0f)) - select(_e3016, (1f - _e3016), (_e3001 >= 0f))) * _e2980) * ((select(_e3049, (1f - _e3049), (_e3034 >= 0f)) - select(_e3068, (1f - _e3068), (_e3053 >= 0f))) * _e2980)) * bitcast<f32>((bitcast<u32>(_e2439) & 2147483647u)));
+phi_5357_ = ((((select(_e2997, (1f - _e2997), (_e2982 >= 0f)) - select(_e3016, (1f - _e3016), (_e3001 >= 0f))) * _e2980) * ((select(_e3049, (1f - _e3049), (_e3034 >= 0f)) - select(_e3068, (1f - _e3068), (_e3053 >= 0f))) * _e2980)) * bitcast<f32>((bitcast<u32>(_e2439) & 2147483647u)));
 } else {
 let _e2530 = (((((_e2334 * _e2353) - (_e2335 * _e2352)) * _e1299.member_1.x) + (((_e2335 * _e2351) - (_e2333 * _e2353)) * _e1299.member_1.y)) + (((_e2333 * _e2352) - (_e2334 * _e2351)) * _e1299.member_1.z));
 let _e2531 = (1f / _e2530);
@@ -1374,7 +1387,7 @@ let _e2915 = select(0f, _e2913, (_e2913 > 0f));
 let _e2917 = select(_e2883, _e2915, (_e2915 < _e2883));
 let _e2920 = (_e2913 - _e2883);
 let _e2924 = (((_e2917 * (_e2917 * _e2886)) + select(0f, _e2920, (_e2920 > 0f))) * _e2887);
-phi_5355_ = ((((select(_e2854, (1f - _e2854), (_e2839 >= 0f)) - select(_e2873, (1f - _e2873), (_e2858 >= 0f))) * (1f / _e2817)) * ((select(_e2905, (1f - _e2905), (_e2890 >= 0f)) - select(_e2924, (1f - _e2924), (_e2909 >= 0f))) * (1f / _e2827))) * bitcast<f32>((bitcast<u32>(_e2531) & 2147483647u)));
+phi_5356_ = ((((select(_e2854, (1f - _e2854), (_e2839 >= 0f)) - select(_e2873, (1f - _e2873), (_e2858 >= 0f))) * (1f / _e2817)) * ((select(_e2905, (1f - _e2905), (_e2890 >= 0f)) - select(_e2924, (1f - _e2924), (_e2909 >= 0f))) * (1f / _e2827))) * bitcast<f32>((bitcast<u32>(_e2531) & 2147483647u)));
 } else {
 let _e2538 = (_e2416 >= _e2424);
 let _e2539 = select(_e2351, _e2333, _e2538);
@@ -1451,27 +1464,27 @@ let _e2730 = select(0f, _e2728, (_e2728 > 0f));
 let _e2732 = select(_e2698, _e2730, (_e2730 < _e2698));
 let _e2735 = (_e2728 - _e2698);
 let _e2739 = (((_e2732 * (_e2732 * _e2701)) + select(0f, _e2735, (_e2735 > 0f))) * _e2702);
-phi_5355_ = (((select(_e2652, (1f - _e2652), (_e2637 >= 0f)) - select(_e2671, (1f - _e2671), (_e2656 >= 0f))) * (1f / _e2588)) * ((select(_e2720, (1f - _e2720), (_e2705 >= 0f)) - select(_e2739, (1f - _e2739), (_e2724 >= 0f))) * (1f / _e2608)));
+phi_5356_ = (((select(_e2652, (1f - _e2652), (_e2637 >= 0f)) - select(_e2671, (1f - _e2671), (_e2656 >= 0f))) * (1f / _e2588)) * ((select(_e2720, (1f - _e2720), (_e2705 >= 0f)) - select(_e2739, (1f - _e2739), (_e2724 >= 0f))) * (1f / _e2608)));
 }
-let _e2936 = phi_5355_;
-phi_5356_ = _e2936;
+let _e2936 = phi_5356_;
+phi_5357_ = _e2936;
 }
-let _e3080 = phi_5356_;
+let _e3080 = phi_5357_;
 let _e3081 = (_e3080 <= 0f);
 if _e3081 {
-phi_6425_ = vec3<f32>();
+phi_6426_ = vec3<f32>();
 } else {
 let _e3084 = (select(_e2285, _e2317, (_e2317 < _e2285)) - 0f);
 let _e3088 = global_1.member.member_13.member_6;
 if (_e3088 == 0u) {
-phi_6092_ = _e3084;
+phi_6093_ = _e3084;
 } else {
 let _e3091 = (_e3084 / f32(_e3088));
-phi_5379_ = 0u;
-phi_5382_ = 0f;
+phi_5380_ = 0u;
+phi_5383_ = 0f;
 loop {
-let _e3093 = phi_5379_;
-let _e3095 = phi_5382_;
+let _e3093 = phi_5380_;
+let _e3095 = phi_5383_;
 local_40 = _e3095;
 let _e3098 = ((_e3093 < _e3088) && (_e3084 > 0f));
 if _e3098 {
@@ -1525,29 +1538,29 @@ local_6 = (_e3153 - f32(_e3190));
 let _e3227 = (_e3190 + 1i);
 let _e3229 = select(_e3227, 0i, (_e3227 < 0i));
 if (_e3229 >= _e3118) {
-phi_5517_ = (_e3118 - 1i);
+phi_5518_ = (_e3118 - 1i);
 } else {
-phi_5517_ = _e3229;
+phi_5518_ = _e3229;
 }
-let _e3233 = phi_5517_;
+let _e3233 = phi_5518_;
 local_7 = (_e3233 - _e3190);
 let _e3235 = (_e3205 + 1i);
 let _e3237 = select(_e3235, 0i, (_e3235 < 0i));
 if (_e3237 >= _e3123) {
-phi_5530_ = (_e3123 - 1i);
+phi_5531_ = (_e3123 - 1i);
 } else {
-phi_5530_ = _e3237;
+phi_5531_ = _e3237;
 }
-let _e3241 = phi_5530_;
+let _e3241 = phi_5531_;
 let _e3243 = ((_e3241 - _e3205) * _e3118);
 let _e3244 = (_e3220 + 1i);
 let _e3246 = select(_e3244, 0i, (_e3244 < 0i));
 if (_e3246 >= _e3128) {
-phi_5544_ = (_e3128 - 1i);
+phi_5545_ = (_e3128 - 1i);
 } else {
-phi_5544_ = _e3246;
+phi_5545_ = _e3246;
 }
-let _e3250 = phi_5544_;
+let _e3250 = phi_5545_;
 let _e3257 = global_1.member.member_13.member_10;
 let _e3258 = bitcast<i32>(_e3257);
 let _e3263 = ((_e3258 + (((_e3220 * _e3123) + _e3205) * _e3118)) + _e3190);
@@ -1615,29 +1628,29 @@ local_4 = (_e3380 - f32(_e3411));
 let _e3448 = (_e3411 + 1i);
 let _e3450 = select(_e3448, 0i, (_e3448 < 0i));
 if (_e3450 >= _e3118) {
-phi_5860_ = (_e3118 - 1i);
+phi_5861_ = (_e3118 - 1i);
 } else {
-phi_5860_ = _e3450;
+phi_5861_ = _e3450;
 }
-let _e3454 = phi_5860_;
+let _e3454 = phi_5861_;
 local_5 = (_e3454 - _e3411);
 let _e3456 = (_e3426 + 1i);
 let _e3458 = select(_e3456, 0i, (_e3456 < 0i));
 if (_e3458 >= _e3123) {
-phi_5873_ = (_e3123 - 1i);
+phi_5874_ = (_e3123 - 1i);
 } else {
-phi_5873_ = _e3458;
+phi_5874_ = _e3458;
 }
-let _e3462 = phi_5873_;
+let _e3462 = phi_5874_;
 let _e3464 = ((_e3462 - _e3426) * _e3118);
 let _e3465 = (_e3441 + 1i);
 let _e3467 = select(_e3465, 0i, (_e3465 < 0i));
 if (_e3467 >= _e3128) {
-phi_5887_ = (_e3128 - 1i);
+phi_5888_ = (_e3128 - 1i);
 } else {
-phi_5887_ = _e3467;
+phi_5888_ = _e3467;
 }
-let _e3471 = phi_5887_;
+let _e3471 = phi_5888_;
 let _e3479 = ((_e3258 + (((_e3441 * _e3123) + _e3426) * _e3118)) + _e3411);
 let _e3481 = select(_e1322, _e3479, (_e3479 < _e1322));
 let _e3486 = global_8.member[bitcast<u32>(select(0i, _e3481, (_e3481 > 0i)))];
@@ -1675,25 +1688,25 @@ let _e3565 = (_e3553 + _e3564);
 let _e3567 = select(_e1322, _e3565, (_e3565 < _e1322));
 let _e3572 = global_8.member[bitcast<u32>(select(0i, _e3567, (_e3567 > 0i)))];
 let _e3573 = local_4;
-phi_5380_ = (_e3093 + 1u);
-phi_5383_ = (_e3095 + ((0.5f * (((((((_e3270 * (1f - _e3271)) + (_e3282 * _e3283)) * _e3286) + (((_e3295 * (1f - _e3296)) + (_e3307 * _e3308)) * _e3224)) * (1f - _e3226)) + (((((_e3320 * (1f - _e3321)) + (_e3332 * _e3333)) * _e3286) + (((_e3344 * (1f - _e3345)) + (_e3356 * _e3357)) * _e3224)) * _e3226)) + ((((((_e3486 * (1f - _e3487)) + (_e3498 * _e3499)) * _e3502) + (((_e3511 * (1f - _e3512)) + (_e3523 * _e3524)) * _e3445)) * (1f - _e3447)) + (((((_e3536 * (1f - _e3537)) + (_e3548 * _e3549)) * _e3502) + (((_e3560 * (1f - _e3561)) + (_e3572 * _e3573)) * _e3445)) * _e3447)))) * _e3105));
+phi_5381_ = (_e3093 + 1u);
+phi_5384_ = (_e3095 + ((0.5f * (((((((_e3270 * (1f - _e3271)) + (_e3282 * _e3283)) * _e3286) + (((_e3295 * (1f - _e3296)) + (_e3307 * _e3308)) * _e3224)) * (1f - _e3226)) + (((((_e3320 * (1f - _e3321)) + (_e3332 * _e3333)) * _e3286) + (((_e3344 * (1f - _e3345)) + (_e3356 * _e3357)) * _e3224)) * _e3226)) + ((((((_e3486 * (1f - _e3487)) + (_e3498 * _e3499)) * _e3502) + (((_e3511 * (1f - _e3512)) + (_e3523 * _e3524)) * _e3445)) * (1f - _e3447)) + (((((_e3536 * (1f - _e3537)) + (_e3548 * _e3549)) * _e3502) + (((_e3560 * (1f - _e3561)) + (_e3572 * _e3573)) * _e3445)) * _e3447)))) * _e3105));
 } else {
-phi_5380_ = u32();
-phi_5383_ = f32();
+phi_5381_ = u32();
+phi_5384_ = f32();
 }
-let _e3588 = phi_5380_;
-let _e3590 = phi_5383_;
+let _e3588 = phi_5381_;
+let _e3590 = phi_5384_;
 continue;
 continuing {
-phi_5379_ = _e3588;
-phi_5382_ = _e3590;
+phi_5380_ = _e3588;
+phi_5383_ = _e3590;
 break if !(_e3098);
 }
 }
 let _e4760 = local_40;
-phi_6092_ = _e4760;
+phi_6093_ = _e4760;
 }
-let _e3593 = phi_6092_;
+let _e3593 = phi_6093_;
 let _e3606 = (0.25f * bitcast<f32>((bitcast<u32>((((_e1299.member_2.x * _e2051) + (_e1299.member_2.y * _e2064)) + (_e1299.member_2.z * _e2077))) & 2147483647u)));
 let _e3613 = (((_e1299.member_1.x * _e501) + (_e1299.member_1.y * _e512)) + (_e1299.member_1.z * _e523));
 let _e3615 = select(1f, -1f, (_e3613 > 0f));
@@ -1736,71 +1749,71 @@ let _e3781 = (_e3777 - select(0i, 1i, (_e3770 < f32(_e3777))));
 let _e3782 = f32(_e3781);
 let _e3786 = ((_e3764 - (_e3782 * 0.6933594f)) - (_e3782 * -2.1219444e-4f));
 let _e3812 = ((_e3080 * (select((select(0f, _e3649, (_e3649 > 0f)) * _e1299.member_4), select(0f, _e3644, (_e3644 > 0f)), ((_e2303 * _e3613) > 0f)) / select(_e3606, _e2306, (_e2306 > _e3606)))) * (1f / 3.1415927f));
-phi_6425_ = vec3<f32>(((_e2246 * ((1f + (_e3690 * (1f + (_e3690 * (0.5f + (_e3690 * (0.16666667f + (_e3690 * (0.041666668f + (_e3690 * (0.008333334f + (_e3690 * (0.001388889f + (_e3690 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3685 + 127i)) << bitcast<u32>(23i))))) * _e3812), ((_e2259 * ((1f + (_e3738 * (1f + (_e3738 * (0.5f + (_e3738 * (0.16666667f + (_e3738 * (0.041666668f + (_e3738 * (0.008333334f + (_e3738 * (0.001388889f + (_e3738 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3733 + 127i)) << bitcast<u32>(23i))))) * _e3812), ((_e2272 * ((1f + (_e3786 * (1f + (_e3786 * (0.5f + (_e3786 * (0.16666667f + (_e3786 * (0.041666668f + (_e3786 * (0.008333334f + (_e3786 * (0.001388889f + (_e3786 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3781 + 127i)) << bitcast<u32>(23i))))) * _e3812));
+phi_6426_ = vec3<f32>(((_e2246 * ((1f + (_e3690 * (1f + (_e3690 * (0.5f + (_e3690 * (0.16666667f + (_e3690 * (0.041666668f + (_e3690 * (0.008333334f + (_e3690 * (0.001388889f + (_e3690 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3685 + 127i)) << bitcast<u32>(23i))))) * _e3812), ((_e2259 * ((1f + (_e3738 * (1f + (_e3738 * (0.5f + (_e3738 * (0.16666667f + (_e3738 * (0.041666668f + (_e3738 * (0.008333334f + (_e3738 * (0.001388889f + (_e3738 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3733 + 127i)) << bitcast<u32>(23i))))) * _e3812), ((_e2272 * ((1f + (_e3786 * (1f + (_e3786 * (0.5f + (_e3786 * (0.16666667f + (_e3786 * (0.041666668f + (_e3786 * (0.008333334f + (_e3786 * (0.001388889f + (_e3786 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3781 + 127i)) << bitcast<u32>(23i))))) * _e3812));
 }
-let _e3818 = phi_6425_;
-phi_6426_ = _e3818;
-phi_6427_ = _e3081;
+let _e3818 = phi_6426_;
+phi_6427_ = _e3818;
+phi_6428_ = _e3081;
 }
-let _e3820 = phi_6426_;
-let _e3822 = phi_6427_;
-phi_6431_ = _e3820;
-phi_6432_ = _e3822;
+let _e3820 = phi_6427_;
+let _e3822 = phi_6428_;
+phi_6432_ = _e3820;
+phi_6433_ = _e3822;
 }
-let _e3824 = phi_6431_;
-let _e3826 = phi_6432_;
-phi_6448_ = (_e1935 + select(_e3824, vec3<f32>(0f, 0f, 0f), vec3(_e3826)));
+let _e3824 = phi_6432_;
+let _e3826 = phi_6433_;
+phi_6449_ = (_e1935 + select(_e3824, vec3<f32>(0f, 0f, 0f), vec3(_e3826)));
 }
-let _e3831 = phi_6448_;
-phi_3399_ = _e3831;
-phi_3402_ = (_e1937 + 1u);
+let _e3831 = phi_6449_;
+phi_3400_ = _e3831;
+phi_3403_ = (_e1937 + 1u);
 }
-let _e3834 = phi_3399_;
-let _e3836 = phi_3402_;
+let _e3834 = phi_3400_;
+let _e3836 = phi_3403_;
 continue;
 continuing {
-phi_3398_ = _e3834;
-phi_3401_ = _e3836;
+phi_3399_ = _e3834;
+phi_3402_ = _e3836;
 break if !(select(true, false, _e1941));
 }
 }
 let _e3839 = local_20.member_1;
-phi_6458_ = type_17(_e1578.member, (_e1578.member_1 + 1u));
+phi_6459_ = type_13(_e1578.member, (_e1578.member_1 + 1u));
 loop {
-let _e3843 = phi_6458_;
+let _e3843 = phi_6459_;
 local_42 = _e3843;
 let _e3849 = (((_e3843.member_1 & 3u) == 0u) && (_e3843.member < _e3839));
 if _e3849 {
-phi_6459_ = type_17((_e3843.member + 1u), (_e3843.member_1 >> bitcast<u32>(2i)));
+phi_6460_ = type_13((_e3843.member + 1u), (_e3843.member_1 >> bitcast<u32>(2i)));
 } else {
-phi_6459_ = type_17();
+phi_6460_ = type_13();
 }
-let _e3855 = phi_6459_;
+let _e3855 = phi_6460_;
 continue;
 continuing {
-phi_6458_ = _e3855;
+phi_6459_ = _e3855;
 break if !(_e3849);
 }
 }
 let _e4773 = local_41;
-phi_6480_ = _e4773;
+phi_6481_ = _e4773;
 let _e4776 = local_42;
-phi_6481_ = _e4776;
+phi_6482_ = _e4776;
 }
-let _e3862 = phi_6480_;
-let _e3864 = phi_6481_;
-phi_2832_ = _e3862;
-phi_2835_ = _e3864;
+let _e3862 = phi_6481_;
+let _e3864 = phi_6482_;
+phi_2833_ = _e3862;
+phi_2836_ = _e3864;
 } else {
-phi_2832_ = vec3<f32>();
-phi_2835_ = type_17();
+phi_2833_ = vec3<f32>();
+phi_2836_ = type_13();
 }
-let _e3866 = phi_2832_;
-let _e3868 = phi_2835_;
+let _e3866 = phi_2833_;
+let _e3868 = phi_2836_;
 continue;
 continuing {
-phi_2831_ = _e3866;
-phi_2834_ = _e3868;
+phi_2832_ = _e3866;
+phi_2835_ = _e3868;
 break if !(_e1586);
 }
 }
@@ -1809,7 +1822,7 @@ let _e3874 = local_37;
 let _e3878 = local_38;
 let _e3881 = (((_e3871.x + _e3874.y) + _e3878.z) <= 0f);
 if _e3881 {
-phi_7590_ = array<f32, 22>();
+phi_7591_ = array<f32, 22>();
 } else {
 let _e3889 = (1f / select(_e501, select(1e-12f, -1e-12f, (_e501 < 0f)), (bitcast<f32>((bitcast<u32>(_e501) & 2147483647u)) < 1e-12f)));
 let _e3897 = (1f / select(_e512, select(1e-12f, -1e-12f, (_e512 < 0f)), (bitcast<f32>((bitcast<u32>(_e512) & 2147483647u)) < 1e-12f)));
@@ -1839,14 +1852,14 @@ let _e3957 = select(0f, _e3953, _e3956);
 let _e3959 = (select(0f, _e3955, _e3956) - _e3957);
 let _e3963 = global_1.member.member_13.member_6;
 if (_e3963 == 0u) {
-phi_7351_ = _e3959;
+phi_7352_ = _e3959;
 } else {
 let _e3966 = (_e3959 / f32(_e3963));
-phi_6638_ = 0u;
-phi_6641_ = 0f;
+phi_6639_ = 0u;
+phi_6642_ = 0f;
 loop {
-let _e3968 = phi_6638_;
-let _e3970 = phi_6641_;
+let _e3968 = phi_6639_;
+let _e3970 = phi_6642_;
 local_43 = _e3970;
 let _e3973 = ((_e3968 < _e3963) && (_e3959 > 0f));
 if _e3973 {
@@ -1898,29 +1911,29 @@ local_2 = (_e4014 - f32(_e4051));
 let _e4088 = (_e4051 + 1i);
 let _e4090 = select(_e4088, 0i, (_e4088 < 0i));
 if (_e4090 >= _e3993) {
-phi_6776_ = (_e3993 - 1i);
+phi_6777_ = (_e3993 - 1i);
 } else {
-phi_6776_ = _e4090;
+phi_6777_ = _e4090;
 }
-let _e4094 = phi_6776_;
+let _e4094 = phi_6777_;
 local_3 = (_e4094 - _e4051);
 let _e4096 = (_e4066 + 1i);
 let _e4098 = select(_e4096, 0i, (_e4096 < 0i));
 if (_e4098 >= _e3998) {
-phi_6789_ = (_e3998 - 1i);
+phi_6790_ = (_e3998 - 1i);
 } else {
-phi_6789_ = _e4098;
+phi_6790_ = _e4098;
 }
-let _e4102 = phi_6789_;
+let _e4102 = phi_6790_;
 let _e4104 = ((_e4102 - _e4066) * _e3993);
 let _e4105 = (_e4081 + 1i);
 let _e4107 = select(_e4105, 0i, (_e4105 < 0i));
 if (_e4107 >= _e4003) {
-phi_6803_ = (_e4003 - 1i);
+phi_6804_ = (_e4003 - 1i);
 } else {
-phi_6803_ = _e4107;
+phi_6804_ = _e4107;
 }
-let _e4111 = phi_6803_;
+let _e4111 = phi_6804_;
 let _e4118 = global_1.member.member_13.member_10;
 let _e4119 = bitcast<i32>(_e4118);
 let _e4124 = ((_e4119 + (((_e4081 * _e3998) + _e4066) * _e3993)) + _e4051);
@@ -1988,29 +2001,29 @@ local = (_e4241 - f32(_e4272));
 let _e4309 = (_e4272 + 1i);
 let _e4311 = select(_e4309, 0i, (_e4309 < 0i));
 if (_e4311 >= _e3993) {
-phi_7119_ = (_e3993 - 1i);
+phi_7120_ = (_e3993 - 1i);
 } else {
-phi_7119_ = _e4311;
+phi_7120_ = _e4311;
 }
-let _e4315 = phi_7119_;
+let _e4315 = phi_7120_;
 local_1 = (_e4315 - _e4272);
 let _e4317 = (_e4287 + 1i);
 let _e4319 = select(_e4317, 0i, (_e4317 < 0i));
 if (_e4319 >= _e3998) {
-phi_7132_ = (_e3998 - 1i);
+phi_7133_ = (_e3998 - 1i);
 } else {
-phi_7132_ = _e4319;
+phi_7133_ = _e4319;
 }
-let _e4323 = phi_7132_;
+let _e4323 = phi_7133_;
 let _e4325 = ((_e4323 - _e4287) * _e3993);
 let _e4326 = (_e4302 + 1i);
 let _e4328 = select(_e4326, 0i, (_e4326 < 0i));
 if (_e4328 >= _e4003) {
-phi_7146_ = (_e4003 - 1i);
+phi_7147_ = (_e4003 - 1i);
 } else {
-phi_7146_ = _e4328;
+phi_7147_ = _e4328;
 }
-let _e4332 = phi_7146_;
+let _e4332 = phi_7147_;
 let _e4340 = ((_e4119 + (((_e4302 * _e3998) + _e4287) * _e3993)) + _e4272);
 let _e4342 = select(_e1322, _e4340, (_e4340 < _e1322));
 let _e4347 = global_8.member[bitcast<u32>(select(0i, _e4342, (_e4342 > 0i)))];
@@ -2048,25 +2061,25 @@ let _e4426 = (_e4414 + _e4425);
 let _e4428 = select(_e1322, _e4426, (_e4426 < _e1322));
 let _e4433 = global_8.member[bitcast<u32>(select(0i, _e4428, (_e4428 > 0i)))];
 let _e4434 = local;
-phi_6639_ = (_e3968 + 1u);
-phi_6642_ = (_e3970 + ((0.5f * (((((((_e4131 * (1f - _e4132)) + (_e4143 * _e4144)) * _e4147) + (((_e4156 * (1f - _e4157)) + (_e4168 * _e4169)) * _e4085)) * (1f - _e4087)) + (((((_e4181 * (1f - _e4182)) + (_e4193 * _e4194)) * _e4147) + (((_e4205 * (1f - _e4206)) + (_e4217 * _e4218)) * _e4085)) * _e4087)) + ((((((_e4347 * (1f - _e4348)) + (_e4359 * _e4360)) * _e4363) + (((_e4372 * (1f - _e4373)) + (_e4384 * _e4385)) * _e4306)) * (1f - _e4308)) + (((((_e4397 * (1f - _e4398)) + (_e4409 * _e4410)) * _e4363) + (((_e4421 * (1f - _e4422)) + (_e4433 * _e4434)) * _e4306)) * _e4308)))) * _e3980));
+phi_6640_ = (_e3968 + 1u);
+phi_6643_ = (_e3970 + ((0.5f * (((((((_e4131 * (1f - _e4132)) + (_e4143 * _e4144)) * _e4147) + (((_e4156 * (1f - _e4157)) + (_e4168 * _e4169)) * _e4085)) * (1f - _e4087)) + (((((_e4181 * (1f - _e4182)) + (_e4193 * _e4194)) * _e4147) + (((_e4205 * (1f - _e4206)) + (_e4217 * _e4218)) * _e4085)) * _e4087)) + ((((((_e4347 * (1f - _e4348)) + (_e4359 * _e4360)) * _e4363) + (((_e4372 * (1f - _e4373)) + (_e4384 * _e4385)) * _e4306)) * (1f - _e4308)) + (((((_e4397 * (1f - _e4398)) + (_e4409 * _e4410)) * _e4363) + (((_e4421 * (1f - _e4422)) + (_e4433 * _e4434)) * _e4306)) * _e4308)))) * _e3980));
 } else {
-phi_6639_ = u32();
-phi_6642_ = f32();
+phi_6640_ = u32();
+phi_6643_ = f32();
 }
-let _e4449 = phi_6639_;
-let _e4451 = phi_6642_;
+let _e4449 = phi_6640_;
+let _e4451 = phi_6643_;
 continue;
 continuing {
-phi_6638_ = _e4449;
-phi_6641_ = _e4451;
+phi_6639_ = _e4449;
+phi_6642_ = _e4451;
 break if !(_e3973);
 }
 }
 let _e4794 = local_43;
-phi_7351_ = _e4794;
+phi_7352_ = _e4794;
 }
-let _e4454 = phi_7351_;
+let _e4454 = phi_7352_;
 let _e4458 = global_1.member.member_13.member;
 let _e4463 = -((_e4458.member * _e4454));
 let _e4465 = select(-87f, _e4463, (_e4463 > -87f));
@@ -2098,23 +2111,23 @@ let _e4576 = select(0i, select(select(i32(_e4569), i32(-2147483648), (_e4569 < -
 let _e4580 = (_e4576 - select(0i, 1i, (_e4569 < f32(_e4576))));
 let _e4581 = f32(_e4580);
 let _e4585 = ((_e4563 - (_e4581 * 0.6933594f)) - (_e4581 * -2.1219444e-4f));
-phi_7590_ = array<f32, 22>(_e175, _e185, _e196, (_e207 + (((_e3871.x * _e1299.member_3.x) * ((1f + (_e4489 * (1f + (_e4489 * (0.5f + (_e4489 * (0.16666667f + (_e4489 * (0.041666668f + (_e4489 * (0.008333334f + (_e4489 * (0.001388889f + (_e4489 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4484 + 127i)) << bitcast<u32>(23i))))) * select(_e666, 1f, _e736))), (_e218 + (((_e3874.y * _e1299.member_3.y) * ((1f + (_e4537 * (1f + (_e4537 * (0.5f + (_e4537 * (0.16666667f + (_e4537 * (0.041666668f + (_e4537 * (0.008333334f + (_e4537 * (0.001388889f + (_e4537 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4532 + 127i)) << bitcast<u32>(23i))))) * select(_e677, 1f, _e736))), (_e229 + (((_e3878.z * _e1299.member_3.z) * ((1f + (_e4585 * (1f + (_e4585 * (0.5f + (_e4585 * (0.16666667f + (_e4585 * (0.041666668f + (_e4585 * (0.008333334f + (_e4585 * (0.001388889f + (_e4585 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4580 + 127i)) << bitcast<u32>(23i))))) * select(_e688, 1f, _e736))), _e240, _e251, _e262, _e273, _e284, _e295, _e306, _e317, _e328, _e339, _e350, _e361, _e372, _e383, _e394, _e405);
+phi_7591_ = array<f32, 22>(_e175, _e185, _e196, (_e207 + (((_e3871.x * _e1299.member_3.x) * ((1f + (_e4489 * (1f + (_e4489 * (0.5f + (_e4489 * (0.16666667f + (_e4489 * (0.041666668f + (_e4489 * (0.008333334f + (_e4489 * (0.001388889f + (_e4489 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4484 + 127i)) << bitcast<u32>(23i))))) * select(_e666, 1f, _e736))), (_e218 + (((_e3874.y * _e1299.member_3.y) * ((1f + (_e4537 * (1f + (_e4537 * (0.5f + (_e4537 * (0.16666667f + (_e4537 * (0.041666668f + (_e4537 * (0.008333334f + (_e4537 * (0.001388889f + (_e4537 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4532 + 127i)) << bitcast<u32>(23i))))) * select(_e677, 1f, _e736))), (_e229 + (((_e3878.z * _e1299.member_3.z) * ((1f + (_e4585 * (1f + (_e4585 * (0.5f + (_e4585 * (0.16666667f + (_e4585 * (0.041666668f + (_e4585 * (0.008333334f + (_e4585 * (0.001388889f + (_e4585 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4580 + 127i)) << bitcast<u32>(23i))))) * select(_e688, 1f, _e736))), _e240, _e251, _e262, _e273, _e284, _e295, _e306, _e317, _e328, _e339, _e350, _e361, _e372, _e383, _e394, _e405);
 }
-let _e4624 = phi_7590_;
-phi_7591_ = _e4624;
-phi_7592_ = _e3881;
+let _e4624 = phi_7591_;
+phi_7592_ = _e4624;
+phi_7593_ = _e3881;
 } else {
-phi_7591_ = array<f32, 22>();
-phi_7592_ = true;
+phi_7592_ = array<f32, 22>();
+phi_7593_ = true;
 }
-let _e4626 = phi_7591_;
-let _e4628 = phi_7592_;
+let _e4626 = phi_7592_;
+let _e4628 = phi_7593_;
 if _e4628 {
-phi_7596_ = array<f32, 22>(_e175, _e185, _e196, _e207, _e218, _e229, _e240, _e251, _e262, _e273, _e284, _e295, _e306, _e317, _e328, _e339, _e350, _e361, _e372, _e383, _e394, _e405);
+phi_7597_ = array<f32, 22>(_e175, _e185, _e196, _e207, _e218, _e229, _e240, _e251, _e262, _e273, _e284, _e295, _e306, _e317, _e328, _e339, _e350, _e361, _e372, _e383, _e394, _e405);
 } else {
-phi_7596_ = _e4626;
+phi_7597_ = _e4626;
 }
-let _e4630 = phi_7596_;
+let _e4630 = phi_7597_;
 global_5.member[_e164] = _e4630[0];
 global_5.member[_e176] = _e4630[1];
 global_5.member[_e187] = _e4630[2];

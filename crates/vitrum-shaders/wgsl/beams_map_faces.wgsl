@@ -57,10 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
 struct type_13 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -80,11 +96,7 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_18 {
-member: u32,
-member_1: u32,
-}
-struct type_19 {
+struct type_20 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -95,7 +107,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -114,7 +126,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -128,7 +140,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_22 {
+struct type_23 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -140,15 +152,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
-member_1: type_18,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -158,20 +170,20 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_19,
-member_12: type_20,
-member_13: type_21,
+member_11: type_20,
+member_12: type_21,
+member_13: type_22,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_22,
-member_19: type_23,
-}
-struct type_25 {
-member: type_24,
+member_18: type_23,
+member_19: type_24,
 }
 struct type_26 {
+member: type_25,
+}
+struct type_27 {
 member: f32,
 member_1: i32,
 member_2: i32,
@@ -184,55 +196,55 @@ member_8: f32,
 member_9: vec3<f32>,
 member_10: i32,
 }
-struct type_29 {
+struct type_30 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(2)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(3)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_4: type_13;
+var<storage, read_write> global_4: type_15;
 @group(0) @binding(0)
-var<storage> global_5: type_25;
+var<storage> global_5: type_26;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_29;
+var<storage, read_write> global_6: type_30;
 fn function_() {
-var phi_758_: f32;
-var phi_883_: type_26;
-var phi_898_: type_26;
-var phi_901_: i32;
-var phi_3022_: type_26;
-var phi_2509_: type_26;
-var phi_2510_: type_26;
-var phi_2511_: bool;
-var phi_2515_: type_26;
-var phi_3023_: type_26;
-var phi_953_: type_17;
-var phi_1232_: i32;
-var phi_1841_: bool;
-var phi_1850_: type_26;
-var phi_1851_: type_26;
-var phi_3024_: type_26;
-var phi_899_: type_26;
+var phi_759_: f32;
+var phi_884_: type_27;
+var phi_899_: type_27;
 var phi_902_: i32;
-var local: type_26;
-var local_1: type_26;
-var local_2: type_26;
-var local_3: type_26;
-var local_4: type_26;
-var local_5: type_26;
-var local_6: type_26;
-var local_7: type_26;
-var local_8: type_26;
-var local_9: type_26;
-var local_10: type_26;
-var local_11: type_26;
-var local_12: type_26;
-var local_13: type_26;
+var phi_3023_: type_27;
+var phi_2510_: type_27;
+var phi_2511_: type_27;
+var phi_2512_: bool;
+var phi_2516_: type_27;
+var phi_3024_: type_27;
+var phi_954_: type_19;
+var phi_1233_: i32;
+var phi_1842_: bool;
+var phi_1851_: type_27;
+var phi_1852_: type_27;
+var phi_3025_: type_27;
+var phi_900_: type_27;
+var phi_903_: i32;
+var local: type_27;
+var local_1: type_27;
+var local_2: type_27;
+var local_3: type_27;
+var local_4: type_27;
+var local_5: type_27;
+var local_6: type_27;
+var local_7: type_27;
+var local_8: type_27;
+var local_9: type_27;
+var local_10: type_27;
+var local_11: type_27;
+var local_12: type_27;
+var local_13: type_27;
 var local_14: f32;
 let _e72 = global;
 let _e76 = arrayLength((&global_2.member));
@@ -365,11 +377,11 @@ let _e470 = select(_e468, _e466, (_e466 < _e468));
 let _e472 = select(_e454, _e452, (_e452 > _e454));
 let _e474 = select(_e472, _e470, (_e470 < _e472));
 if _e381 {
-phi_758_ = -(1e30f);
+phi_759_ = -(1e30f);
 } else {
-phi_758_ = 0f;
+phi_759_ = 0f;
 }
-let _e477 = phi_758_;
+let _e477 = phi_759_;
 let _e479 = select(_e477, _e464, (_e464 > _e477));
 if (_e105 == 0f) {
 let _e485 = (_e404 + (_e397 * _e479));
@@ -388,17 +400,17 @@ let _e542 = (_e540 > 1e-9f);
 let _e546 = ((_e534 / select(1e-9f, _e540, _e542)) - 0.015625f);
 let _e549 = select(1e30f, select(0f, _e546, (_e546 > 0f)), ((_e534 > 0f) && _e542));
 let _e553 = (_e549 < _e518);
-phi_883_ = type_26(select(1f, 3f, (_e474 <= _e479)), _e282, select(select(-2i, -3i, _e553), -1i, ((_e518 >= 1e30f) && (_e549 >= 1e30f))), select(_e518, _e549, _e553), _e148, _e290, -1i, -1i, _e214, _e305, -1i);
+phi_884_ = type_27(select(1f, 3f, (_e474 <= _e479)), _e282, select(select(-2i, -3i, _e553), -1i, ((_e518 >= 1e30f) && (_e549 >= 1e30f))), select(_e518, _e549, _e553), _e148, _e290, -1i, -1i, _e214, _e305, -1i);
 } else {
-phi_883_ = type_26(_e105, _e282, select(0i, select(select(i32(_e126), i32(-2147483648), (_e126 < -2147483600f)), 2147483647i, (_e126 > 2147483500f)), (_e126 == _e126)), _e137, _e148, _e290, select(0i, select(select(i32(_e192), i32(-2147483648), (_e192 < -2147483600f)), 2147483647i, (_e192 > 2147483500f)), (_e192 == _e192)), select(0i, select(select(i32(_e203), i32(-2147483648), (_e203 < -2147483600f)), 2147483647i, (_e203 > 2147483500f)), (_e203 == _e203)), _e214, _e305, select(0i, select(select(i32(_e258), i32(-2147483648), (_e258 < -2147483600f)), 2147483647i, (_e258 > 2147483500f)), (_e258 == _e258)));
+phi_884_ = type_27(_e105, _e282, select(0i, select(select(i32(_e126), i32(-2147483648), (_e126 < -2147483600f)), 2147483647i, (_e126 > 2147483500f)), (_e126 == _e126)), _e137, _e148, _e290, select(0i, select(select(i32(_e192), i32(-2147483648), (_e192 < -2147483600f)), 2147483647i, (_e192 > 2147483500f)), (_e192 == _e192)), select(0i, select(select(i32(_e203), i32(-2147483648), (_e203 < -2147483600f)), 2147483647i, (_e203 > 2147483500f)), (_e203 == _e203)), _e214, _e305, select(0i, select(select(i32(_e258), i32(-2147483648), (_e258 < -2147483600f)), 2147483647i, (_e258 > 2147483500f)), (_e258 == _e258)));
 }
-let _e560 = phi_883_;
+let _e560 = phi_884_;
 let _e561 = bitcast<i32>(arrayLength((&global_1.member)));
-phi_898_ = _e560;
-phi_901_ = 0i;
+phi_899_ = _e560;
+phi_902_ = 0i;
 loop {
-let _e564 = phi_898_;
-let _e566 = phi_901_;
+let _e564 = phi_899_;
+let _e566 = phi_902_;
 local = _e564;
 local_1 = _e564;
 local_2 = _e564;
@@ -419,11 +431,11 @@ if _e570 {
 if (_e564.member_1 < (_e561 / 8i)) {
 let _e1457 = (_e564.member == 1f);
 if _e1457 {
-phi_953_ = type_17(vec3<f32>((_e404 + (_e397 * _e479)), (_e405 + (_e398 * _e479)), (_e406 + (_e399 * _e479))), vec3<f32>(_e397, _e398, _e399), vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, -1i, 1e30f);
+phi_954_ = type_19(vec3<f32>((_e404 + (_e397 * _e479)), (_e405 + (_e398 * _e479)), (_e406 + (_e399 * _e479))), vec3<f32>(_e397, _e398, _e399), vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, -1i, 1e30f);
 } else {
-phi_953_ = type_17(vec3<f32>((_e404 + (_e397 * _e474)), (_e405 + (_e398 * _e474)), (_e406 + (_e399 * _e474))), vec3<f32>(-(_e397), -(_e398), -(_e399)), vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, -1i, 1e30f);
+phi_954_ = type_19(vec3<f32>((_e404 + (_e397 * _e474)), (_e405 + (_e398 * _e474)), (_e406 + (_e399 * _e474))), vec3<f32>(-(_e397), -(_e398), -(_e399)), vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, -1i, 1e30f);
 }
-let _e1479 = phi_953_;
+let _e1479 = phi_954_;
 let _e1487 = (_e564.member_1 * 8i);
 let _e1495 = (1f / select(_e1479.member_1.x, select(1e-12f, -1e-12f, (_e1479.member_1.x < 0f)), (bitcast<f32>((bitcast<u32>(_e1479.member_1.x) & 2147483647u)) < 1e-12f)));
 let _e1503 = (1f / select(_e1479.member_1.y, select(1e-12f, -1e-12f, (_e1479.member_1.y < 0f)), (bitcast<f32>((bitcast<u32>(_e1479.member_1.y) & 2147483647u)) < 1e-12f)));
@@ -466,18 +478,18 @@ let _e1607 = (_e1487 + 6i);
 let _e1609 = select(_e1513, _e1607, (_e1607 < _e1513));
 let _e1615 = global_1.member[bitcast<u32>(select(0i, _e1609, (_e1609 > 0i)))];
 if _e1606 {
-phi_1232_ = (_e564.member_1 + 1i);
+phi_1233_ = (_e564.member_1 + 1i);
 } else {
 let _e1623 = (_e1487 + 7i);
 let _e1625 = select(_e1513, _e1623, (_e1623 < _e1513));
 let _e1631 = global_1.member[bitcast<u32>(select(0i, _e1625, (_e1625 > 0i)))];
-phi_1232_ = select(0i, select(select(i32(_e1631), i32(-2147483648), (_e1631 < -2147483600f)), 2147483647i, (_e1631 > 2147483500f)), (_e1631 == _e1631));
+phi_1233_ = select(0i, select(select(i32(_e1631), i32(-2147483648), (_e1631 < -2147483600f)), 2147483647i, (_e1631 > 2147483500f)), (_e1631 == _e1631));
 }
-let _e1641 = phi_1232_;
+let _e1641 = phi_1233_;
 let _e1642 = select(-1i, select(0i, select(select(i32(_e1615), i32(-2147483648), (_e1615 < -2147483600f)), 2147483647i, (_e1615 > 2147483500f)), (_e1615 == _e1615)), _e1606);
-let _e1653 = type_26(_e564.member, _e1641, _e564.member_2, _e564.member_3, _e564.member_4, _e564.member_5, _e564.member_6, _e564.member_7, _e564.member_8, _e564.member_9, _e564.member_10);
+let _e1653 = type_27(_e564.member, _e1641, _e564.member_2, _e564.member_3, _e564.member_4, _e564.member_5, _e564.member_6, _e564.member_7, _e564.member_8, _e564.member_9, _e564.member_10);
 if (_e1642 < 0i) {
-phi_1851_ = _e1653;
+phi_1852_ = _e1653;
 } else {
 let _e1659 = bitcast<f32>((bitcast<u32>(_e1479.member_1.x) & 2147483647u));
 let _e1663 = bitcast<f32>((bitcast<u32>(_e1479.member_1.y) & 2147483647u));
@@ -563,27 +575,27 @@ let _e1895 = sqrt(select(0f, _e1892, (_e1892 > 0f)));
 let _e1898 = (1f / select(1e-20f, _e1895, (_e1895 > 1e-20f)));
 let _e1907 = ((((_e397 * (_e1881 * _e1898)) + (_e398 * (_e1884 * _e1898))) + (_e399 * (_e1887 * _e1898))) < 0f);
 if _e1457 {
-phi_1841_ = (_e1872 || _e1907);
+phi_1842_ = (_e1872 || _e1907);
 } else {
-phi_1841_ = (!(_e1872) && !(_e1907));
+phi_1842_ = (!(_e1872) && !(_e1907));
 }
-let _e1913 = phi_1841_;
+let _e1913 = phi_1842_;
 if (_e1913 && (_e1842 < _e564.member_3)) {
-let _e1926 = type_26(_e1653.member, _e1653.member_1, _e1653.member_2, _e1842, _e1653.member_4, _e1653.member_5, _e1653.member_6, _e1653.member_7, _e1653.member_8, _e1653.member_9, _e1653.member_10);
-phi_1850_ = type_26(_e1926.member, _e1926.member_1, _e1642, _e1926.member_3, _e1926.member_4, _e1926.member_5, _e1926.member_6, _e1926.member_7, _e1926.member_8, _e1926.member_9, _e1926.member_10);
+let _e1926 = type_27(_e1653.member, _e1653.member_1, _e1653.member_2, _e1842, _e1653.member_4, _e1653.member_5, _e1653.member_6, _e1653.member_7, _e1653.member_8, _e1653.member_9, _e1653.member_10);
+phi_1851_ = type_27(_e1926.member, _e1926.member_1, _e1642, _e1926.member_3, _e1926.member_4, _e1926.member_5, _e1926.member_6, _e1926.member_7, _e1926.member_8, _e1926.member_9, _e1926.member_10);
 } else {
-phi_1850_ = _e1653;
+phi_1851_ = _e1653;
 }
-let _e1939 = phi_1850_;
-phi_1851_ = _e1939;
+let _e1939 = phi_1851_;
+phi_1852_ = _e1939;
 }
-let _e1941 = phi_1851_;
-phi_3024_ = _e1941;
+let _e1941 = phi_1852_;
+phi_3025_ = _e1941;
 } else {
 if (_e564.member == 1f) {
 let _e942 = (_e479 + _e564.member_3);
-let _e953 = type_26(_e564.member, _e564.member_1, _e564.member_2, _e564.member_3, _e942, _e564.member_5, _e564.member_6, _e564.member_7, _e564.member_8, _e564.member_9, _e564.member_10);
-let _e965 = type_26(_e953.member, _e953.member_1, _e953.member_2, _e953.member_3, _e953.member_4, _e953.member_5, _e564.member_2, _e953.member_7, _e953.member_8, _e953.member_9, _e953.member_10);
+let _e953 = type_27(_e564.member, _e564.member_1, _e564.member_2, _e564.member_3, _e942, _e564.member_5, _e564.member_6, _e564.member_7, _e564.member_8, _e564.member_9, _e564.member_10);
+let _e965 = type_27(_e953.member, _e953.member_1, _e953.member_2, _e953.member_3, _e953.member_4, _e953.member_5, _e564.member_2, _e953.member_7, _e953.member_8, _e953.member_9, _e953.member_10);
 if (_e564.member_2 >= 0i) {
 let _e967 = (_e564.member_2 * 19i);
 let _e968 = (_e967 + 18i);
@@ -706,40 +718,40 @@ let _e1364 = select(_e1265, _e1262, _e1363);
 let _e1365 = select(_e1266, _e1263, _e1363);
 let _e1366 = select(_e1267, _e1264, _e1363);
 let _e1373 = select(1f, -1f, ((((_e1364 * _e397) + (_e1365 * _e398)) + (_e1366 * _e399)) > 0f));
-let _e1388 = type_26(_e965.member, _e965.member_1, _e965.member_2, _e965.member_3, _e965.member_4, vec3<f32>((_e1364 * _e1373), (_e1365 * _e1373), (_e1366 * _e1373)), _e965.member_6, _e965.member_7, _e965.member_8, _e965.member_9, _e965.member_10);
-let _e1399 = type_26(_e1388.member, _e1388.member_1, _e1388.member_2, _e1388.member_3, _e1388.member_4, _e1388.member_5, _e1388.member_6, _e985, _e1388.member_8, _e1388.member_9, _e1388.member_10);
-phi_2509_ = _e1399;
+let _e1388 = type_27(_e965.member, _e965.member_1, _e965.member_2, _e965.member_3, _e965.member_4, vec3<f32>((_e1364 * _e1373), (_e1365 * _e1373), (_e1366 * _e1373)), _e965.member_6, _e965.member_7, _e965.member_8, _e965.member_9, _e965.member_10);
+let _e1399 = type_27(_e1388.member, _e1388.member_1, _e1388.member_2, _e1388.member_3, _e1388.member_4, _e1388.member_5, _e1388.member_6, _e985, _e1388.member_8, _e1388.member_9, _e1388.member_10);
 phi_2510_ = _e1399;
-phi_2511_ = select(true, false, _e999);
+phi_2511_ = _e1399;
+phi_2512_ = select(true, false, _e999);
 } else {
-phi_2509_ = type_26();
-phi_2510_ = _e965;
-phi_2511_ = true;
+phi_2510_ = type_27();
+phi_2511_ = _e965;
+phi_2512_ = true;
 }
-let _e1402 = phi_2509_;
-let _e1404 = phi_2510_;
-let _e1406 = phi_2511_;
+let _e1402 = phi_2510_;
+let _e1404 = phi_2511_;
+let _e1406 = phi_2512_;
 if _e1406 {
-phi_2515_ = _e1404;
+phi_2516_ = _e1404;
 } else {
-phi_2515_ = _e1402;
+phi_2516_ = _e1402;
 }
-let _e1408 = phi_2515_;
-let _e1420 = type_26(select(2f, 3f, _e1406), _e1408.member_1, _e1408.member_2, _e1408.member_3, _e1408.member_4, _e1408.member_5, _e1408.member_6, _e1408.member_7, _e1408.member_8, _e1408.member_9, _e1408.member_10);
-let _e1431 = type_26(_e1420.member, 0i, _e1420.member_2, _e1420.member_3, _e1420.member_4, _e1420.member_5, _e1420.member_6, _e1420.member_7, _e1420.member_8, _e1420.member_9, _e1420.member_10);
-let _e1442 = type_26(_e1431.member, _e1431.member_1, -1i, _e1431.member_3, _e1431.member_4, _e1431.member_5, _e1431.member_6, _e1431.member_7, _e1431.member_8, _e1431.member_9, _e1431.member_10);
-phi_3023_ = type_26(_e1442.member, _e1442.member_1, _e1442.member_2, (_e474 - _e479), _e1442.member_4, _e1442.member_5, _e1442.member_6, _e1442.member_7, _e1442.member_8, _e1442.member_9, _e1442.member_10);
+let _e1408 = phi_2516_;
+let _e1420 = type_27(select(2f, 3f, _e1406), _e1408.member_1, _e1408.member_2, _e1408.member_3, _e1408.member_4, _e1408.member_5, _e1408.member_6, _e1408.member_7, _e1408.member_8, _e1408.member_9, _e1408.member_10);
+let _e1431 = type_27(_e1420.member, 0i, _e1420.member_2, _e1420.member_3, _e1420.member_4, _e1420.member_5, _e1420.member_6, _e1420.member_7, _e1420.member_8, _e1420.member_9, _e1420.member_10);
+let _e1442 = type_27(_e1431.member, _e1431.member_1, -1i, _e1431.member_3, _e1431.member_4, _e1431.member_5, _e1431.member_6, _e1431.member_7, _e1431.member_8, _e1431.member_9, _e1431.member_10);
+phi_3024_ = type_27(_e1442.member, _e1442.member_1, _e1442.member_2, (_e474 - _e479), _e1442.member_4, _e1442.member_5, _e1442.member_6, _e1442.member_7, _e1442.member_8, _e1442.member_9, _e1442.member_10);
 } else {
-let _e585 = type_26(3f, _e564.member_1, _e564.member_2, _e564.member_3, _e564.member_4, _e564.member_5, _e564.member_6, _e564.member_7, _e564.member_8, _e564.member_9, _e564.member_10);
+let _e585 = type_27(3f, _e564.member_1, _e564.member_2, _e564.member_3, _e564.member_4, _e564.member_5, _e564.member_6, _e564.member_7, _e564.member_8, _e564.member_9, _e564.member_10);
 if (_e564.member_2 >= 0i) {
 let _e589 = (_e474 - _e564.member_3);
-let _e600 = type_26(_e585.member, _e585.member_1, _e585.member_2, _e585.member_3, _e585.member_4, _e585.member_5, _e585.member_6, _e585.member_7, _e589, _e585.member_9, _e585.member_10);
+let _e600 = type_27(_e585.member, _e585.member_1, _e585.member_2, _e585.member_3, _e585.member_4, _e585.member_5, _e585.member_6, _e585.member_7, _e589, _e585.member_9, _e585.member_10);
 let _e601 = (_e564.member_2 * 19i);
 let _e602 = (_e601 + 18i);
 let _e604 = (bitcast<i32>(_e76) - 1i);
 let _e606 = select(_e604, _e602, (_e602 < _e604));
 let _e612 = global_2.member[bitcast<u32>(select(0i, _e606, (_e606 > 0i)))];
-let _e630 = type_26(_e600.member, _e600.member_1, _e600.member_2, _e600.member_3, _e600.member_4, _e600.member_5, _e600.member_6, _e600.member_7, _e600.member_8, _e600.member_9, select(0i, select(select(i32(_e612), i32(-2147483648), (_e612 < -2147483600f)), 2147483647i, (_e612 > 2147483500f)), (_e612 == _e612)));
+let _e630 = type_27(_e600.member, _e600.member_1, _e600.member_2, _e600.member_3, _e600.member_4, _e600.member_5, _e600.member_6, _e600.member_7, _e600.member_8, _e600.member_9, select(0i, select(select(i32(_e612), i32(-2147483648), (_e612 < -2147483600f)), 2147483647i, (_e612 > 2147483500f)), (_e612 == _e612)));
 let _e638 = select(_e604, _e601, (_e601 < _e604));
 let _e644 = global_2.member[bitcast<u32>(select(0i, _e638, (_e638 > 0i)))];
 let _e645 = (_e601 + 1i);
@@ -831,29 +843,29 @@ let _e914 = select(_e896, _e893, _e913);
 let _e915 = select(_e897, _e894, _e913);
 let _e916 = select(_e898, _e895, _e913);
 let _e923 = select(1f, -1f, ((((_e914 * _e899) + (_e915 * _e900)) + (_e916 * _e901)) > 0f));
-phi_3022_ = type_26(_e630.member, _e630.member_1, _e630.member_2, _e630.member_3, _e630.member_4, _e630.member_5, _e630.member_6, _e630.member_7, _e630.member_8, vec3<f32>((_e914 * _e923), (_e915 * _e923), (_e916 * _e923)), _e630.member_10);
+phi_3023_ = type_27(_e630.member, _e630.member_1, _e630.member_2, _e630.member_3, _e630.member_4, _e630.member_5, _e630.member_6, _e630.member_7, _e630.member_8, vec3<f32>((_e914 * _e923), (_e915 * _e923), (_e916 * _e923)), _e630.member_10);
 } else {
-phi_3022_ = _e585;
+phi_3023_ = _e585;
 }
-let _e940 = phi_3022_;
-phi_3023_ = _e940;
+let _e940 = phi_3023_;
+phi_3024_ = _e940;
 }
-let _e1456 = phi_3023_;
-phi_3024_ = _e1456;
+let _e1456 = phi_3024_;
+phi_3025_ = _e1456;
 }
-let _e1943 = phi_3024_;
-phi_899_ = _e1943;
-phi_902_ = (_e566 + 1i);
+let _e1943 = phi_3025_;
+phi_900_ = _e1943;
+phi_903_ = (_e566 + 1i);
 } else {
-phi_899_ = type_26();
-phi_902_ = i32();
+phi_900_ = type_27();
+phi_903_ = i32();
 }
-let _e1945 = phi_899_;
-let _e1947 = phi_902_;
+let _e1945 = phi_900_;
+let _e1947 = phi_903_;
 continue;
 continuing {
-phi_898_ = _e1945;
-phi_901_ = _e1947;
+phi_899_ = _e1945;
+phi_902_ = _e1947;
 break if !(_e570);
 }
 }

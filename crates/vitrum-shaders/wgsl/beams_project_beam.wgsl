@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,24 +150,24 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
-}
-struct type_23 {
-member: type_22,
+member_18: type_21,
+member_19: type_22,
 }
 struct type_24 {
+member: type_23,
+}
+struct type_25 {
 member: f32,
 member_1: f32,
 }
-struct type_25 {
+struct type_26 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -171,11 +183,11 @@ member_11: i32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -183,8 +195,8 @@ var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
-var phi_829_: type_25;
-var phi_1384_: type_24;
+var phi_830_: type_26;
+var phi_1385_: type_25;
 let _e64 = global;
 let _e70 = global_1.member.member;
 if (_e64.x < _e70.member) {
@@ -363,11 +375,11 @@ let _e445 = global_3.member[bitcast<u32>(select(0i, _e440, (_e440 > 0i)))];
 let _e452 = select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < -2147483600f)), 2147483647i, (_e445 > 2147483500f)), (_e445 == _e445));
 let _e457 = global_1.member.member_12.member_11;
 if (_e457 != 0u) {
-phi_829_ = type_25(_e140, _e180, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e380, _e393, _e406, _e419, _e432, _e452);
+phi_830_ = type_26(_e140, _e180, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e380, _e393, _e406, _e419, _e432, _e452);
 } else {
-phi_829_ = type_25(_e140, _e180, vec3<f32>(_e193, _e206, _e219), vec3<f32>(_e233, _e246, _e259), vec3<f32>(_e273, _e286, _e299), vec3<f32>(_e313, _e326, _e339), _e380, _e393, _e406, _e419, _e432, _e452);
+phi_830_ = type_26(_e140, _e180, vec3<f32>(_e193, _e206, _e219), vec3<f32>(_e233, _e246, _e259), vec3<f32>(_e273, _e286, _e299), vec3<f32>(_e313, _e326, _e339), _e380, _e393, _e406, _e419, _e432, _e452);
 }
-let _e461 = phi_829_;
+let _e461 = phi_830_;
 let _e465 = global_1.member.member_6;
 let _e470 = (_e461.member.x - _e465.member);
 let _e472 = (_e461.member.y - _e465.member_1);
@@ -429,11 +441,11 @@ let _e746 = (((_e502.member * _e461.member_1.x) + (_e502.member_1 * _e461.member
 if (_e509 == 0u) {
 let _e749 = (_e746 == 0f);
 let _e751 = (-(_e741) / select(_e746, 1e-30f, _e749));
-phi_1384_ = type_24(select(0f, select(0f, _e751, (_e751 > 0f)), (_e746 > 0f)), select(select(_e461.member_9, select(_e461.member_9, _e751, (_e751 < _e461.member_9)), (_e746 < 0f)), -1f, (_e749 && (_e741 < 0f))));
+phi_1385_ = type_25(select(0f, select(0f, _e751, (_e751 > 0f)), (_e746 > 0f)), select(select(_e461.member_9, select(_e461.member_9, _e751, (_e751 < _e461.member_9)), (_e746 < 0f)), -1f, (_e749 && (_e741 < 0f))));
 } else {
-phi_1384_ = type_24(0f, _e461.member_9);
+phi_1385_ = type_25(0f, _e461.member_9);
 }
-let _e768 = phi_1384_;
+let _e768 = phi_1385_;
 let _e777 = ((_e461.member.x + (_e461.member_1.x * _e768.member)) - _e465.member);
 let _e778 = ((_e461.member.y + (_e461.member_1.y * _e768.member)) - _e465.member_1);
 let _e779 = ((_e461.member.z + (_e461.member_1.z * _e768.member)) - _e465.member_2);

@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_17 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_21 {
+struct type_22 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
-member_1: type_17,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,56 +150,56 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_18,
-member_12: type_19,
-member_13: type_20,
+member_11: type_19,
+member_12: type_20,
+member_13: type_21,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_21,
-member_19: type_22,
+member_18: type_22,
+member_19: type_23,
 }
-struct type_24 {
-member: type_23,
+struct type_25 {
+member: type_24,
 }
-struct type_26 {
+struct type_27 {
 member: f32,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_24;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(3)
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_3: type_15;
 @group(0) @binding(2)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 fn function_() {
-var phi_312_: f32;
-var phi_765_: u32;
-var phi_768_: bool;
-var phi_770_: f32;
-var phi_772_: f32;
-var phi_774_: f32;
-var phi_776_: f32;
-var phi_793_: f32;
-var phi_842_: f32;
-var phi_857_: f32;
-var phi_1002_: vec3<f32>;
-var phi_1005_: i32;
-var phi_1007_: f32;
-var phi_1009_: f32;
-var phi_1028_: f32;
-var phi_1034_: f32;
-var phi_1164_: vec3<f32>;
-var phi_1165_: f32;
-var phi_1166_: f32;
+var phi_313_: f32;
+var phi_766_: u32;
+var phi_769_: bool;
+var phi_771_: f32;
+var phi_773_: f32;
+var phi_775_: f32;
+var phi_777_: f32;
+var phi_794_: f32;
+var phi_843_: f32;
+var phi_858_: f32;
 var phi_1003_: vec3<f32>;
 var phi_1006_: i32;
 var phi_1008_: f32;
 var phi_1010_: f32;
+var phi_1029_: f32;
+var phi_1035_: f32;
+var phi_1165_: vec3<f32>;
+var phi_1166_: f32;
+var phi_1167_: f32;
+var phi_1004_: vec3<f32>;
+var phi_1007_: i32;
+var phi_1009_: f32;
+var phi_1011_: f32;
 var local: f32;
 var local_1: f32;
 var local_2: f32;
@@ -195,39 +207,39 @@ var local_3: vec3<f32>;
 var local_4: vec3<f32>;
 var local_5: vec3<f32>;
 var local_6: vec3<f32>;
-var phi_1201_: type_26;
-var phi_1212_: bool;
-var phi_1213_: f32;
+var phi_1202_: type_27;
+var phi_1213_: bool;
 var phi_1214_: f32;
 var phi_1215_: f32;
 var phi_1216_: f32;
-var phi_766_: u32;
-var phi_769_: bool;
-var phi_771_: f32;
-var phi_773_: f32;
-var phi_775_: f32;
-var phi_777_: f32;
+var phi_1217_: f32;
+var phi_767_: u32;
+var phi_770_: bool;
+var phi_772_: f32;
+var phi_774_: f32;
+var phi_776_: f32;
+var phi_778_: f32;
 var local_7: f32;
 var local_8: f32;
 var local_9: f32;
 var local_10: f32;
 var local_11: f32;
 var local_12: f32;
-var phi_1274_: f32;
-var phi_1289_: f32;
-var phi_1434_: vec3<f32>;
-var phi_1437_: i32;
-var phi_1439_: f32;
-var phi_1441_: f32;
-var phi_1460_: f32;
-var phi_1466_: f32;
-var phi_1596_: vec3<f32>;
-var phi_1597_: f32;
-var phi_1598_: f32;
+var phi_1275_: f32;
+var phi_1290_: f32;
 var phi_1435_: vec3<f32>;
 var phi_1438_: i32;
 var phi_1440_: f32;
 var phi_1442_: f32;
+var phi_1461_: f32;
+var phi_1467_: f32;
+var phi_1597_: vec3<f32>;
+var phi_1598_: f32;
+var phi_1599_: f32;
+var phi_1436_: vec3<f32>;
+var phi_1439_: i32;
+var phi_1441_: f32;
+var phi_1443_: f32;
 var local_13: f32;
 var local_14: f32;
 var local_15: f32;
@@ -235,13 +247,13 @@ var local_16: vec3<f32>;
 var local_17: vec3<f32>;
 var local_18: vec3<f32>;
 var local_19: vec3<f32>;
-var phi_1633_: type_26;
-var phi_1793_: array<f32, 11>;
+var phi_1634_: type_27;
 var phi_1794_: array<f32, 11>;
 var phi_1795_: array<f32, 11>;
 var phi_1796_: array<f32, 11>;
-var phi_1797_: bool;
-var phi_1801_: array<f32, 11>;
+var phi_1797_: array<f32, 11>;
+var phi_1798_: bool;
+var phi_1802_: array<f32, 11>;
 let _e59 = global;
 let _e66 = global_1.member.member;
 if (_e59.x < _e66.member) {
@@ -277,15 +289,15 @@ let _e166 = (_e164 * 4i);
 let _e168 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e170 = select(_e168, _e166, (_e166 < _e168));
 let _e176 = global_4.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
-phi_312_ = select(_e176, 1f, (_e164 == 16i));
+phi_313_ = select(_e176, 1f, (_e164 == 16i));
 } else {
-phi_312_ = 0f;
+phi_313_ = 0f;
 }
-let _e180 = phi_312_;
+let _e180 = phi_313_;
 if (_e180 <= 0f) {
-phi_1795_ = array<f32, 11>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 1f, 0f);
-phi_1796_ = array<f32, 11>();
-phi_1797_ = true;
+phi_1796_ = array<f32, 11>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 1f, 0f);
+phi_1797_ = array<f32, 11>();
+phi_1798_ = true;
 } else {
 let _e187 = global_1.member.member_11.member_2;
 let _e194 = global_1.member.member_11.member_3;
@@ -335,8 +347,8 @@ let _e340 = (_e326 * _e339);
 let _e341 = (_e327 * _e339);
 let _e342 = (_e328 * _e339);
 if _e304 {
-phi_1793_ = array<f32, 11>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 1f, 0f);
-phi_1794_ = array<f32, 11>();
+phi_1794_ = array<f32, 11>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 1f, 0f);
+phi_1795_ = array<f32, 11>();
 } else {
 let _e350 = (1f / select(_e340, select(1e-12f, -1e-12f, (_e340 < 0f)), (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) < 1e-12f)));
 let _e358 = (1f / select(_e341, select(1e-12f, -1e-12f, (_e341 < 0f)), (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) < 1e-12f)));
@@ -355,19 +367,19 @@ let _e396 = select(_e394, _e392, (_e392 < _e394));
 let _e398 = select(_e390, _e388, (_e388 > _e390));
 let _e400 = select(_e398, _e396, (_e396 < _e398));
 let _e402 = select(0f, _e400, (_e400 > 0f));
-phi_765_ = 0u;
-phi_768_ = false;
-phi_770_ = 1f;
-phi_772_ = 0f;
-phi_774_ = 0f;
-phi_776_ = _e402;
+phi_766_ = 0u;
+phi_769_ = false;
+phi_771_ = 1f;
+phi_773_ = 0f;
+phi_775_ = 0f;
+phi_777_ = _e402;
 loop {
-let _e406 = phi_765_;
-let _e408 = phi_768_;
-let _e410 = phi_770_;
-let _e412 = phi_772_;
-let _e414 = phi_774_;
-let _e416 = phi_776_;
+let _e406 = phi_766_;
+let _e408 = phi_769_;
+let _e410 = phi_771_;
+let _e412 = phi_773_;
+let _e414 = phi_775_;
+let _e416 = phi_777_;
 local_7 = _e416;
 local_8 = _e414;
 local_9 = _e412;
@@ -378,17 +390,17 @@ let _e417 = (_e406 < 24u);
 if _e417 {
 let _e418 = (_e406 < 16u);
 if _e418 {
-phi_793_ = ((_e402 * (1f / 16f)) * f32((_e406 + 1u)));
+phi_794_ = ((_e402 * (1f / 16f)) * f32((_e406 + 1u)));
 } else {
-phi_793_ = (0.5f * (_e414 + _e416));
+phi_794_ = (0.5f * (_e414 + _e416));
 }
-let _e425 = phi_793_;
+let _e425 = phi_794_;
 if (_e418 && _e408) {
-phi_1212_ = _e408;
-phi_1213_ = _e410;
-phi_1214_ = _e412;
-phi_1215_ = _e414;
-phi_1216_ = _e416;
+phi_1213_ = _e408;
+phi_1214_ = _e410;
+phi_1215_ = _e412;
+phi_1216_ = _e414;
+phi_1217_ = _e416;
 } else {
 let _e436 = global_1.member.member_11.member;
 let _e437 = bitcast<i32>(_e436);
@@ -398,18 +410,18 @@ let _e440 = ((_e278 + (_e341 * _e425)) - _e234.member_1);
 let _e441 = ((_e279 + (_e342 * _e425)) - _e234.member_2);
 let _e446 = (((_e439 * _e241.member) + (_e440 * _e241.member_1)) + (_e441 * _e241.member_2));
 if _e249 {
-phi_842_ = 1f;
+phi_843_ = 1f;
 } else {
-phi_842_ = (1f / select(1e-6f, _e446, (_e446 > 1e-6f)));
+phi_843_ = (1f / select(1e-6f, _e446, (_e446 > 1e-6f)));
 }
-let _e451 = phi_842_;
+let _e451 = phi_843_;
 if _e249 {
-phi_857_ = _e446;
+phi_858_ = _e446;
 } else {
 let _e456 = (((_e439 * _e439) + (_e440 * _e440)) + (_e441 * _e441));
-phi_857_ = sqrt(select(0f, _e456, (_e456 > 0f)));
+phi_858_ = sqrt(select(0f, _e456, (_e456 > 0f)));
 }
-let _e461 = phi_857_;
+let _e461 = phi_858_;
 let _e478 = (((((((_e439 * _e187.member) + (_e440 * _e187.member_1)) + (_e441 * _e187.member_2)) * _e451) - _e201) * (1f / select(_e207, select(1e-12f, -1e-12f, (_e207 < 0f)), (bitcast<f32>((bitcast<u32>(_e207) & 2147483647u)) < 1e-12f)))) - 0.5f);
 let _e495 = (((((((_e439 * _e194.member) + (_e440 * _e194.member_1)) + (_e441 * _e194.member_2)) * _e451) - _e213) * (1f / select(_e219, select(1e-12f, -1e-12f, (_e219 < 0f)), (bitcast<f32>((bitcast<u32>(_e219) & 2147483647u)) < 1e-12f)))) - 0.5f);
 let _e496 = f32(_e437);
@@ -427,15 +439,15 @@ let _e532 = select(1f, _e530, (_e530 < 1f));
 let _e534 = (_e495 - f32(_e526));
 let _e536 = select(0f, _e534, (_e534 > 0f));
 let _e538 = select(1f, _e536, (_e536 < 1f));
-phi_1002_ = vec3<f32>(0f, 0f, 0f);
-phi_1005_ = 0i;
-phi_1007_ = 0f;
-phi_1009_ = 0f;
+phi_1003_ = vec3<f32>(0f, 0f, 0f);
+phi_1006_ = 0i;
+phi_1008_ = 0f;
+phi_1010_ = 0f;
 loop {
-let _e540 = phi_1002_;
-let _e542 = phi_1005_;
-let _e544 = phi_1007_;
-let _e546 = phi_1009_;
+let _e540 = phi_1003_;
+let _e542 = phi_1006_;
+let _e544 = phi_1008_;
+let _e546 = phi_1010_;
 local = _e544;
 local_1 = _e546;
 local_2 = _e544;
@@ -451,17 +463,17 @@ let _e551 = (_e511 + _e548);
 let _e552 = (_e526 + _e550);
 let _e554 = ((_e552 * _e437) + _e551);
 if (_e548 == 1i) {
-phi_1028_ = _e532;
+phi_1029_ = _e532;
 } else {
-phi_1028_ = (1f - _e532);
+phi_1029_ = (1f - _e532);
 }
-let _e558 = phi_1028_;
+let _e558 = phi_1029_;
 if (_e550 == 1i) {
-phi_1034_ = _e538;
+phi_1035_ = _e538;
 } else {
-phi_1034_ = (1f - _e538);
+phi_1035_ = (1f - _e538);
 }
-let _e562 = phi_1034_;
+let _e562 = phi_1035_;
 let _e563 = (_e558 * _e562);
 let _e572 = ((14i * _e438) + _e554);
 let _e574 = select(_e92, _e572, (_e572 < _e92));
@@ -479,37 +491,37 @@ let _e621 = global_2.member[bitcast<u32>(select(0i, _e615, (_e615 > 0i)))];
 let _e623 = ((13i * _e438) + _e554);
 let _e625 = select(_e92, _e623, (_e623 < _e92));
 let _e631 = global_2.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
-phi_1164_ = vec3<f32>((_e540.x + (_e611 * _e563)), (_e540.y + (_e621 * _e563)), (_e540.z + (_e631 * _e563)));
-phi_1165_ = (_e544 + _e563);
-phi_1166_ = (_e546 + (_e599 * _e563));
+phi_1165_ = vec3<f32>((_e540.x + (_e611 * _e563)), (_e540.y + (_e621 * _e563)), (_e540.z + (_e631 * _e563)));
+phi_1166_ = (_e544 + _e563);
+phi_1167_ = (_e546 + (_e599 * _e563));
 } else {
-phi_1164_ = _e540;
-phi_1165_ = _e544;
-phi_1166_ = _e546;
+phi_1165_ = _e540;
+phi_1166_ = _e544;
+phi_1167_ = _e546;
 }
-let _e644 = phi_1164_;
-let _e646 = phi_1165_;
-let _e648 = phi_1166_;
-phi_1003_ = _e644;
-phi_1006_ = (_e542 + 1i);
-phi_1008_ = _e646;
-phi_1010_ = _e648;
+let _e644 = phi_1165_;
+let _e646 = phi_1166_;
+let _e648 = phi_1167_;
+phi_1004_ = _e644;
+phi_1007_ = (_e542 + 1i);
+phi_1009_ = _e646;
+phi_1011_ = _e648;
 } else {
-phi_1003_ = vec3<f32>();
-phi_1006_ = i32();
-phi_1008_ = f32();
-phi_1010_ = f32();
+phi_1004_ = vec3<f32>();
+phi_1007_ = i32();
+phi_1009_ = f32();
+phi_1011_ = f32();
 }
-let _e651 = phi_1003_;
-let _e653 = phi_1006_;
-let _e655 = phi_1008_;
-let _e657 = phi_1010_;
+let _e651 = phi_1004_;
+let _e653 = phi_1007_;
+let _e655 = phi_1009_;
+let _e657 = phi_1011_;
 continue;
 continuing {
-phi_1002_ = _e651;
-phi_1005_ = _e653;
-phi_1007_ = _e655;
-phi_1009_ = _e657;
+phi_1003_ = _e651;
+phi_1006_ = _e653;
+phi_1008_ = _e655;
+phi_1010_ = _e657;
 break if !(_e547);
 }
 }
@@ -523,51 +535,51 @@ let _e678 = local_5;
 let _e681 = (((_e669.x * _e669.x) + (_e673.y * _e673.y)) + (_e678.z * _e678.z));
 let _e684 = sqrt(select(0f, _e681, (_e681 > 0f)));
 let _e689 = local_6;
-phi_1201_ = type_26((_e461 - (_e663 / _e665)), (_e689 * (1f / select(1e-20f, _e684, (_e684 > 1e-20f)))));
+phi_1202_ = type_27((_e461 - (_e663 / _e665)), (_e689 * (1f / select(1e-20f, _e684, (_e684 > 1e-20f)))));
 } else {
-phi_1201_ = type_26(1e30f, vec3<f32>(0f, 0f, 0f));
+phi_1202_ = type_27(1e30f, vec3<f32>(0f, 0f, 0f));
 }
-let _e693 = phi_1201_;
+let _e693 = phi_1202_;
 let _e695 = (_e693.member >= 0f);
-phi_1212_ = select(_e408, true, _e695);
-phi_1213_ = select(_e410, _e693.member, _e695);
-phi_1214_ = select(_e693.member, _e412, _e695);
-phi_1215_ = select(_e425, _e414, _e695);
-phi_1216_ = select(_e416, _e425, _e695);
+phi_1213_ = select(_e408, true, _e695);
+phi_1214_ = select(_e410, _e693.member, _e695);
+phi_1215_ = select(_e693.member, _e412, _e695);
+phi_1216_ = select(_e425, _e414, _e695);
+phi_1217_ = select(_e416, _e425, _e695);
 }
-let _e702 = phi_1212_;
-let _e704 = phi_1213_;
-let _e706 = phi_1214_;
-let _e708 = phi_1215_;
-let _e710 = phi_1216_;
-phi_766_ = (_e406 + 1u);
-phi_769_ = _e702;
-phi_771_ = _e704;
-phi_773_ = _e706;
-phi_775_ = _e708;
-phi_777_ = _e710;
+let _e702 = phi_1213_;
+let _e704 = phi_1214_;
+let _e706 = phi_1215_;
+let _e708 = phi_1216_;
+let _e710 = phi_1217_;
+phi_767_ = (_e406 + 1u);
+phi_770_ = _e702;
+phi_772_ = _e704;
+phi_774_ = _e706;
+phi_776_ = _e708;
+phi_778_ = _e710;
 } else {
-phi_766_ = u32();
-phi_769_ = bool();
-phi_771_ = f32();
-phi_773_ = f32();
-phi_775_ = f32();
-phi_777_ = f32();
+phi_767_ = u32();
+phi_770_ = bool();
+phi_772_ = f32();
+phi_774_ = f32();
+phi_776_ = f32();
+phi_778_ = f32();
 }
-let _e713 = phi_766_;
-let _e715 = phi_769_;
-let _e717 = phi_771_;
-let _e719 = phi_773_;
-let _e721 = phi_775_;
-let _e723 = phi_777_;
+let _e713 = phi_767_;
+let _e715 = phi_770_;
+let _e717 = phi_772_;
+let _e719 = phi_774_;
+let _e721 = phi_776_;
+let _e723 = phi_778_;
 continue;
 continuing {
-phi_765_ = _e713;
-phi_768_ = _e715;
-phi_770_ = _e717;
-phi_772_ = _e719;
-phi_774_ = _e721;
-phi_776_ = _e723;
+phi_766_ = _e713;
+phi_769_ = _e715;
+phi_771_ = _e717;
+phi_773_ = _e719;
+phi_775_ = _e721;
+phi_777_ = _e723;
 break if !(_e417);
 }
 }
@@ -590,18 +602,18 @@ let _e758 = (_e749 - _e234.member_1);
 let _e759 = (_e750 - _e234.member_2);
 let _e764 = (((_e757 * _e241.member) + (_e758 * _e241.member_1)) + (_e759 * _e241.member_2));
 if _e249 {
-phi_1274_ = 1f;
+phi_1275_ = 1f;
 } else {
-phi_1274_ = (1f / select(1e-6f, _e764, (_e764 > 1e-6f)));
+phi_1275_ = (1f / select(1e-6f, _e764, (_e764 > 1e-6f)));
 }
-let _e769 = phi_1274_;
+let _e769 = phi_1275_;
 if _e249 {
-phi_1289_ = _e764;
+phi_1290_ = _e764;
 } else {
 let _e774 = (((_e757 * _e757) + (_e758 * _e758)) + (_e759 * _e759));
-phi_1289_ = sqrt(select(0f, _e774, (_e774 > 0f)));
+phi_1290_ = sqrt(select(0f, _e774, (_e774 > 0f)));
 }
-let _e779 = phi_1289_;
+let _e779 = phi_1290_;
 let _e796 = (((((((_e757 * _e187.member) + (_e758 * _e187.member_1)) + (_e759 * _e187.member_2)) * _e769) - _e201) * (1f / select(_e207, select(1e-12f, -1e-12f, (_e207 < 0f)), (bitcast<f32>((bitcast<u32>(_e207) & 2147483647u)) < 1e-12f)))) - 0.5f);
 let _e813 = (((((((_e757 * _e194.member) + (_e758 * _e194.member_1)) + (_e759 * _e194.member_2)) * _e769) - _e213) * (1f / select(_e219, select(1e-12f, -1e-12f, (_e219 < 0f)), (bitcast<f32>((bitcast<u32>(_e219) & 2147483647u)) < 1e-12f)))) - 0.5f);
 let _e814 = f32(_e755);
@@ -619,15 +631,15 @@ let _e850 = select(1f, _e848, (_e848 < 1f));
 let _e852 = (_e813 - f32(_e844));
 let _e854 = select(0f, _e852, (_e852 > 0f));
 let _e856 = select(1f, _e854, (_e854 < 1f));
-phi_1434_ = vec3<f32>(0f, 0f, 0f);
-phi_1437_ = 0i;
-phi_1439_ = 0f;
-phi_1441_ = 0f;
+phi_1435_ = vec3<f32>(0f, 0f, 0f);
+phi_1438_ = 0i;
+phi_1440_ = 0f;
+phi_1442_ = 0f;
 loop {
-let _e858 = phi_1434_;
-let _e860 = phi_1437_;
-let _e862 = phi_1439_;
-let _e864 = phi_1441_;
+let _e858 = phi_1435_;
+let _e860 = phi_1438_;
+let _e862 = phi_1440_;
+let _e864 = phi_1442_;
 local_13 = _e862;
 local_14 = _e864;
 local_15 = _e862;
@@ -643,17 +655,17 @@ let _e869 = (_e829 + _e866);
 let _e870 = (_e844 + _e868);
 let _e872 = ((_e870 * _e755) + _e869);
 if (_e866 == 1i) {
-phi_1460_ = _e850;
+phi_1461_ = _e850;
 } else {
-phi_1460_ = (1f - _e850);
+phi_1461_ = (1f - _e850);
 }
-let _e876 = phi_1460_;
+let _e876 = phi_1461_;
 if (_e868 == 1i) {
-phi_1466_ = _e856;
+phi_1467_ = _e856;
 } else {
-phi_1466_ = (1f - _e856);
+phi_1467_ = (1f - _e856);
 }
-let _e880 = phi_1466_;
+let _e880 = phi_1467_;
 let _e881 = (_e876 * _e880);
 let _e890 = ((14i * _e756) + _e872);
 let _e892 = select(_e92, _e890, (_e890 < _e92));
@@ -671,37 +683,37 @@ let _e939 = global_2.member[bitcast<u32>(select(0i, _e933, (_e933 > 0i)))];
 let _e941 = ((13i * _e756) + _e872);
 let _e943 = select(_e92, _e941, (_e941 < _e92));
 let _e949 = global_2.member[bitcast<u32>(select(0i, _e943, (_e943 > 0i)))];
-phi_1596_ = vec3<f32>((_e858.x + (_e929 * _e881)), (_e858.y + (_e939 * _e881)), (_e858.z + (_e949 * _e881)));
-phi_1597_ = (_e862 + _e881);
-phi_1598_ = (_e864 + (_e917 * _e881));
+phi_1597_ = vec3<f32>((_e858.x + (_e929 * _e881)), (_e858.y + (_e939 * _e881)), (_e858.z + (_e949 * _e881)));
+phi_1598_ = (_e862 + _e881);
+phi_1599_ = (_e864 + (_e917 * _e881));
 } else {
-phi_1596_ = _e858;
-phi_1597_ = _e862;
-phi_1598_ = _e864;
+phi_1597_ = _e858;
+phi_1598_ = _e862;
+phi_1599_ = _e864;
 }
-let _e962 = phi_1596_;
-let _e964 = phi_1597_;
-let _e966 = phi_1598_;
-phi_1435_ = _e962;
-phi_1438_ = (_e860 + 1i);
-phi_1440_ = _e964;
-phi_1442_ = _e966;
+let _e962 = phi_1597_;
+let _e964 = phi_1598_;
+let _e966 = phi_1599_;
+phi_1436_ = _e962;
+phi_1439_ = (_e860 + 1i);
+phi_1441_ = _e964;
+phi_1443_ = _e966;
 } else {
-phi_1435_ = vec3<f32>();
-phi_1438_ = i32();
-phi_1440_ = f32();
-phi_1442_ = f32();
+phi_1436_ = vec3<f32>();
+phi_1439_ = i32();
+phi_1441_ = f32();
+phi_1443_ = f32();
 }
-let _e969 = phi_1435_;
-let _e971 = phi_1438_;
-let _e973 = phi_1440_;
-let _e975 = phi_1442_;
+let _e969 = phi_1436_;
+let _e971 = phi_1439_;
+let _e973 = phi_1441_;
+let _e975 = phi_1443_;
 continue;
 continuing {
-phi_1434_ = _e969;
-phi_1437_ = _e971;
-phi_1439_ = _e973;
-phi_1441_ = _e975;
+phi_1435_ = _e969;
+phi_1438_ = _e971;
+phi_1440_ = _e973;
+phi_1442_ = _e975;
 break if !(_e865);
 }
 }
@@ -715,11 +727,11 @@ let _e996 = local_18;
 let _e999 = (((_e987.x * _e987.x) + (_e991.y * _e991.y)) + (_e996.z * _e996.z));
 let _e1002 = sqrt(select(0f, _e999, (_e999 > 0f)));
 let _e1007 = local_19;
-phi_1633_ = type_26((_e779 - (_e981 / _e983)), (_e1007 * (1f / select(1e-20f, _e1002, (_e1002 > 1e-20f)))));
+phi_1634_ = type_27((_e779 - (_e981 / _e983)), (_e1007 * (1f / select(1e-20f, _e1002, (_e1002 > 1e-20f)))));
 } else {
-phi_1633_ = type_26(1e30f, vec3<f32>(0f, 0f, 0f));
+phi_1634_ = type_27(1e30f, vec3<f32>(0f, 0f, 0f));
 }
-let _e1011 = phi_1633_;
+let _e1011 = phi_1634_;
 let _e1022 = select(1f, -1f, ((((_e340 * _e1011.member_1.x) + (_e341 * _e1011.member_1.y)) + (_e342 * _e1011.member_1.z)) > 0f));
 let _e1023 = (_e1011.member_1.x * _e1022);
 let _e1024 = (_e1011.member_1.y * _e1022);
@@ -745,24 +757,24 @@ let _e1085 = (_e1083 + _e1033);
 let _e1088 = (_e1084 / select(1e-6f, _e1085, (_e1085 > 1e-6f)));
 let _e1092 = ((_e1033 * _e1084) + 1f);
 let _e1095 = (((_e1033 * _e1085) - 1f) / select(1e-6f, _e1092, (_e1092 > 1e-6f)));
-phi_1793_ = array<f32, 11>();
-phi_1794_ = array<f32, 11>(_e748, _e749, _e750, (_e1062 * _e1075), (_e1063 * _e1075), (_e1064 * _e1075), _e1011.member_1.x, _e1011.member_1.y, _e1011.member_1.z, select(1f, select(select((((0.5f * _e1088) * _e1088) * (1f + (_e1095 * _e1095))), 1f, (_e1080 <= 0f)), 0f, (_e180 == 1f)), ((((_e1011.member_1.x * _e340) + (_e1011.member_1.y * _e341)) + (_e1011.member_1.z * _e342)) > 0f)), _e744);
+phi_1794_ = array<f32, 11>();
+phi_1795_ = array<f32, 11>(_e748, _e749, _e750, (_e1062 * _e1075), (_e1063 * _e1075), (_e1064 * _e1075), _e1011.member_1.x, _e1011.member_1.y, _e1011.member_1.z, select(1f, select(select((((0.5f * _e1088) * _e1088) * (1f + (_e1095 * _e1095))), 1f, (_e1080 <= 0f)), 0f, (_e180 == 1f)), ((((_e1011.member_1.x * _e340) + (_e1011.member_1.y * _e341)) + (_e1011.member_1.z * _e342)) > 0f)), _e744);
 }
-let _e1114 = phi_1793_;
-let _e1116 = phi_1794_;
-phi_1795_ = _e1114;
-phi_1796_ = _e1116;
-phi_1797_ = _e304;
+let _e1114 = phi_1794_;
+let _e1116 = phi_1795_;
+phi_1796_ = _e1114;
+phi_1797_ = _e1116;
+phi_1798_ = _e304;
 }
-let _e1118 = phi_1795_;
-let _e1120 = phi_1796_;
-let _e1122 = phi_1797_;
+let _e1118 = phi_1796_;
+let _e1120 = phi_1797_;
+let _e1122 = phi_1798_;
 if _e1122 {
-phi_1801_ = _e1118;
+phi_1802_ = _e1118;
 } else {
-phi_1801_ = _e1120;
+phi_1802_ = _e1120;
 }
-let _e1124 = phi_1801_;
+let _e1124 = phi_1802_;
 global_3.member[_e75] = _e1124[0];
 global_3.member[(_e73 + _e75)] = _e1124[1];
 global_3.member[((2u * _e73) + _e75)] = _e1124[2];

@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,47 +150,47 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
-}
-struct type_23 {
-member: type_22,
+member_18: type_21,
+member_19: type_22,
 }
 struct type_24 {
+member: type_23,
+}
+struct type_25 {
 member: f32,
 member_1: f32,
 }
-struct type_25 {
+struct type_26 {
 member: i32,
 member_1: i32,
 }
-struct type_28 {
+struct type_29 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(5)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(2)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(3)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 @group(0) @binding(4)
-var<storage> global_6: type_13;
+var<storage> global_6: type_15;
 @group(0) @binding(6)
-var<storage> global_7: type_13;
+var<storage> global_7: type_15;
 @group(0) @binding(7)
-var<storage, read_write> global_8: type_28;
+var<storage, read_write> global_8: type_29;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -436,693 +448,693 @@ var local_252: i32;
 var local_253: i32;
 var local_254: i32;
 var local_255: i32;
-var phi_882_: bool;
 var phi_883_: bool;
 var phi_884_: bool;
-var phi_1264_: type_25;
-var phi_1976_: f32;
-var phi_1979_: u32;
+var phi_885_: bool;
+var phi_1265_: type_26;
 var phi_1977_: f32;
 var phi_1980_: u32;
+var phi_1978_: f32;
+var phi_1981_: u32;
 var local_256: u32;
-var phi_2009_: f32;
-var phi_2012_: u32;
 var phi_2010_: f32;
 var phi_2013_: u32;
-var phi_2024_: u32;
-var phi_2079_: f32;
-var phi_2082_: u32;
+var phi_2011_: f32;
+var phi_2014_: u32;
+var phi_2025_: u32;
 var phi_2080_: f32;
 var phi_2083_: u32;
+var phi_2081_: f32;
+var phi_2084_: u32;
 var local_257: u32;
-var phi_2112_: f32;
-var phi_2115_: u32;
 var phi_2113_: f32;
 var phi_2116_: u32;
-var phi_2127_: u32;
+var phi_2114_: f32;
+var phi_2117_: u32;
 var phi_2128_: u32;
-var phi_2179_: f32;
-var phi_2182_: u32;
+var phi_2129_: u32;
 var phi_2180_: f32;
 var phi_2183_: u32;
+var phi_2181_: f32;
+var phi_2184_: u32;
 var local_258: u32;
-var phi_2212_: f32;
-var phi_2215_: u32;
 var phi_2213_: f32;
 var phi_2216_: u32;
-var phi_2227_: u32;
+var phi_2214_: f32;
+var phi_2217_: u32;
 var phi_2228_: u32;
-var phi_55019_: type_25;
-var phi_55094_: i32;
-var phi_77635_: type_25;
-var phi_77710_: i32;
-var phi_77714_: type_25;
-var phi_77717_: i32;
-var phi_77868_: type_25;
-var phi_77871_: i32;
-var phi_78001_: type_25;
-var phi_78050_: u32;
+var phi_2229_: u32;
+var phi_55020_: type_26;
+var phi_55095_: i32;
+var phi_77636_: type_26;
+var phi_77711_: i32;
+var phi_77715_: type_26;
+var phi_77718_: i32;
+var phi_77869_: type_26;
+var phi_77872_: i32;
+var phi_78002_: type_26;
 var phi_78051_: u32;
 var phi_78052_: u32;
-var phi_78178_: i32;
-var phi_78189_: i32;
-var phi_78612_: f32;
-var phi_79235_: type_25;
-var phi_79432_: u32;
+var phi_78053_: u32;
+var phi_78179_: i32;
+var phi_78190_: i32;
+var phi_78613_: f32;
+var phi_79236_: type_26;
 var phi_79433_: u32;
 var phi_79434_: u32;
-var phi_79468_: u32;
-var phi_79498_: u32;
-var phi_79528_: u32;
-var phi_79565_: type_25;
-var phi_77869_: type_25;
-var phi_77872_: i32;
-var phi_77715_: type_25;
-var phi_77718_: i32;
-var local_259: type_25;
-var local_260: type_25;
-var phi_79582_: i32;
-var phi_87282_: i32;
-var phi_87436_: i32;
-var phi_87541_: type_25;
-var phi_87968_: f32;
-var phi_88594_: type_25;
-var phi_88672_: i32;
-var phi_88683_: i32;
-var phi_88711_: type_25;
-var phi_88760_: u32;
+var phi_79435_: u32;
+var phi_79469_: u32;
+var phi_79499_: u32;
+var phi_79529_: u32;
+var phi_79566_: type_26;
+var phi_77870_: type_26;
+var phi_77873_: i32;
+var phi_77716_: type_26;
+var phi_77719_: i32;
+var local_259: type_26;
+var local_260: type_26;
+var phi_79583_: i32;
+var phi_87283_: i32;
+var phi_87437_: i32;
+var phi_87542_: type_26;
+var phi_87969_: f32;
+var phi_88595_: type_26;
+var phi_88673_: i32;
+var phi_88684_: i32;
+var phi_88712_: type_26;
 var phi_88761_: u32;
 var phi_88762_: u32;
-var phi_89746_: i32;
-var phi_89757_: i32;
-var phi_89785_: type_25;
-var phi_89834_: u32;
+var phi_88763_: u32;
+var phi_89747_: i32;
+var phi_89758_: i32;
+var phi_89786_: type_26;
 var phi_89835_: u32;
 var phi_89836_: u32;
-var phi_90820_: i32;
-var phi_90831_: i32;
-var phi_90859_: type_25;
-var phi_90908_: u32;
+var phi_89837_: u32;
+var phi_90821_: i32;
+var phi_90832_: i32;
+var phi_90860_: type_26;
 var phi_90909_: u32;
 var phi_90910_: u32;
-var phi_91894_: i32;
-var phi_91905_: i32;
-var phi_91933_: type_25;
-var phi_91982_: u32;
+var phi_90911_: u32;
+var phi_91895_: i32;
+var phi_91906_: i32;
+var phi_91934_: type_26;
 var phi_91983_: u32;
 var phi_91984_: u32;
-var phi_92986_: type_25;
-var phi_93064_: i32;
-var phi_93075_: i32;
-var phi_93103_: type_25;
-var phi_93152_: u32;
+var phi_91985_: u32;
+var phi_92987_: type_26;
+var phi_93065_: i32;
+var phi_93076_: i32;
+var phi_93104_: type_26;
 var phi_93153_: u32;
 var phi_93154_: u32;
-var phi_94138_: i32;
-var phi_94149_: i32;
-var phi_94177_: type_25;
-var phi_94226_: u32;
+var phi_93155_: u32;
+var phi_94139_: i32;
+var phi_94150_: i32;
+var phi_94178_: type_26;
 var phi_94227_: u32;
 var phi_94228_: u32;
-var phi_95212_: i32;
-var phi_95223_: i32;
-var phi_95251_: type_25;
-var phi_95300_: u32;
+var phi_94229_: u32;
+var phi_95213_: i32;
+var phi_95224_: i32;
+var phi_95252_: type_26;
 var phi_95301_: u32;
 var phi_95302_: u32;
-var phi_96286_: i32;
-var phi_96297_: i32;
-var phi_96325_: type_25;
-var phi_96374_: u32;
+var phi_95303_: u32;
+var phi_96287_: i32;
+var phi_96298_: i32;
+var phi_96326_: type_26;
 var phi_96375_: u32;
 var phi_96376_: u32;
-var phi_97378_: type_25;
-var phi_97456_: i32;
-var phi_97467_: i32;
-var phi_97495_: type_25;
-var phi_97544_: u32;
+var phi_96377_: u32;
+var phi_97379_: type_26;
+var phi_97457_: i32;
+var phi_97468_: i32;
+var phi_97496_: type_26;
 var phi_97545_: u32;
 var phi_97546_: u32;
-var phi_98530_: i32;
-var phi_98541_: i32;
-var phi_98569_: type_25;
-var phi_98618_: u32;
+var phi_97547_: u32;
+var phi_98531_: i32;
+var phi_98542_: i32;
+var phi_98570_: type_26;
 var phi_98619_: u32;
 var phi_98620_: u32;
-var phi_99604_: i32;
-var phi_99615_: i32;
-var phi_99643_: type_25;
-var phi_99692_: u32;
+var phi_98621_: u32;
+var phi_99605_: i32;
+var phi_99616_: i32;
+var phi_99644_: type_26;
 var phi_99693_: u32;
 var phi_99694_: u32;
-var phi_100678_: i32;
-var phi_100689_: i32;
-var phi_100717_: type_25;
-var phi_100766_: u32;
+var phi_99695_: u32;
+var phi_100679_: i32;
+var phi_100690_: i32;
+var phi_100718_: type_26;
 var phi_100767_: u32;
 var phi_100768_: u32;
-var phi_101761_: type_25;
-var phi_101994_: u32;
-var phi_102024_: u32;
-var phi_102054_: u32;
-var phi_87437_: i32;
-var phi_87283_: i32;
-var phi_81247_: i32;
-var phi_81401_: i32;
-var phi_81506_: type_25;
-var phi_81933_: f32;
-var phi_82561_: type_25;
-var phi_82639_: i32;
-var phi_82650_: i32;
-var phi_82678_: type_25;
-var phi_82727_: u32;
+var phi_100769_: u32;
+var phi_101762_: type_26;
+var phi_101995_: u32;
+var phi_102025_: u32;
+var phi_102055_: u32;
+var phi_87438_: i32;
+var phi_87284_: i32;
+var phi_81248_: i32;
+var phi_81402_: i32;
+var phi_81507_: type_26;
+var phi_81934_: f32;
+var phi_82562_: type_26;
+var phi_82640_: i32;
+var phi_82651_: i32;
+var phi_82679_: type_26;
 var phi_82728_: u32;
 var phi_82729_: u32;
-var phi_83713_: i32;
-var phi_83724_: i32;
-var phi_83752_: type_25;
-var phi_83801_: u32;
+var phi_82730_: u32;
+var phi_83714_: i32;
+var phi_83725_: i32;
+var phi_83753_: type_26;
 var phi_83802_: u32;
 var phi_83803_: u32;
-var phi_84787_: i32;
-var phi_84798_: i32;
-var phi_84826_: type_25;
-var phi_84875_: u32;
+var phi_83804_: u32;
+var phi_84788_: i32;
+var phi_84799_: i32;
+var phi_84827_: type_26;
 var phi_84876_: u32;
 var phi_84877_: u32;
-var phi_85861_: i32;
-var phi_85872_: i32;
-var phi_85900_: type_25;
-var phi_85949_: u32;
+var phi_84878_: u32;
+var phi_85862_: i32;
+var phi_85873_: i32;
+var phi_85901_: type_26;
 var phi_85950_: u32;
 var phi_85951_: u32;
-var phi_86944_: type_25;
-var phi_87177_: u32;
-var phi_87207_: u32;
-var phi_87237_: u32;
-var phi_81402_: i32;
-var phi_81248_: i32;
-var phi_79617_: i32;
-var phi_79771_: i32;
-var phi_79876_: type_25;
-var phi_80303_: f32;
-var phi_80905_: type_25;
-var phi_81138_: u32;
-var phi_81168_: u32;
-var phi_81198_: u32;
-var phi_79772_: i32;
+var phi_85952_: u32;
+var phi_86945_: type_26;
+var phi_87178_: u32;
+var phi_87208_: u32;
+var phi_87238_: u32;
+var phi_81403_: i32;
+var phi_81249_: i32;
 var phi_79618_: i32;
-var phi_62797_: i32;
-var phi_62951_: i32;
-var phi_63056_: type_25;
-var phi_63483_: f32;
-var phi_64109_: type_25;
-var phi_64187_: i32;
-var phi_64198_: i32;
-var phi_64226_: type_25;
-var phi_64275_: u32;
+var phi_79772_: i32;
+var phi_79877_: type_26;
+var phi_80304_: f32;
+var phi_80906_: type_26;
+var phi_81139_: u32;
+var phi_81169_: u32;
+var phi_81199_: u32;
+var phi_79773_: i32;
+var phi_79619_: i32;
+var phi_62798_: i32;
+var phi_62952_: i32;
+var phi_63057_: type_26;
+var phi_63484_: f32;
+var phi_64110_: type_26;
+var phi_64188_: i32;
+var phi_64199_: i32;
+var phi_64227_: type_26;
 var phi_64276_: u32;
 var phi_64277_: u32;
-var phi_65261_: i32;
-var phi_65272_: i32;
-var phi_65300_: type_25;
-var phi_65349_: u32;
+var phi_64278_: u32;
+var phi_65262_: i32;
+var phi_65273_: i32;
+var phi_65301_: type_26;
 var phi_65350_: u32;
 var phi_65351_: u32;
-var phi_66335_: i32;
-var phi_66346_: i32;
-var phi_66374_: type_25;
-var phi_66423_: u32;
+var phi_65352_: u32;
+var phi_66336_: i32;
+var phi_66347_: i32;
+var phi_66375_: type_26;
 var phi_66424_: u32;
 var phi_66425_: u32;
-var phi_67409_: i32;
-var phi_67420_: i32;
-var phi_67448_: type_25;
-var phi_67497_: u32;
+var phi_66426_: u32;
+var phi_67410_: i32;
+var phi_67421_: i32;
+var phi_67449_: type_26;
 var phi_67498_: u32;
 var phi_67499_: u32;
-var phi_68501_: type_25;
-var phi_68579_: i32;
-var phi_68590_: i32;
-var phi_68618_: type_25;
-var phi_68667_: u32;
+var phi_67500_: u32;
+var phi_68502_: type_26;
+var phi_68580_: i32;
+var phi_68591_: i32;
+var phi_68619_: type_26;
 var phi_68668_: u32;
 var phi_68669_: u32;
-var phi_69653_: i32;
-var phi_69664_: i32;
-var phi_69692_: type_25;
-var phi_69741_: u32;
+var phi_68670_: u32;
+var phi_69654_: i32;
+var phi_69665_: i32;
+var phi_69693_: type_26;
 var phi_69742_: u32;
 var phi_69743_: u32;
-var phi_70727_: i32;
-var phi_70738_: i32;
-var phi_70766_: type_25;
-var phi_70815_: u32;
+var phi_69744_: u32;
+var phi_70728_: i32;
+var phi_70739_: i32;
+var phi_70767_: type_26;
 var phi_70816_: u32;
 var phi_70817_: u32;
-var phi_71801_: i32;
-var phi_71812_: i32;
-var phi_71840_: type_25;
-var phi_71889_: u32;
+var phi_70818_: u32;
+var phi_71802_: i32;
+var phi_71813_: i32;
+var phi_71841_: type_26;
 var phi_71890_: u32;
 var phi_71891_: u32;
-var phi_72893_: type_25;
-var phi_72971_: i32;
-var phi_72982_: i32;
-var phi_73010_: type_25;
-var phi_73059_: u32;
+var phi_71892_: u32;
+var phi_72894_: type_26;
+var phi_72972_: i32;
+var phi_72983_: i32;
+var phi_73011_: type_26;
 var phi_73060_: u32;
 var phi_73061_: u32;
-var phi_74045_: i32;
-var phi_74056_: i32;
-var phi_74084_: type_25;
-var phi_74133_: u32;
+var phi_73062_: u32;
+var phi_74046_: i32;
+var phi_74057_: i32;
+var phi_74085_: type_26;
 var phi_74134_: u32;
 var phi_74135_: u32;
-var phi_75119_: i32;
-var phi_75130_: i32;
-var phi_75158_: type_25;
-var phi_75207_: u32;
+var phi_74136_: u32;
+var phi_75120_: i32;
+var phi_75131_: i32;
+var phi_75159_: type_26;
 var phi_75208_: u32;
 var phi_75209_: u32;
-var phi_76193_: i32;
-var phi_76204_: i32;
-var phi_76232_: type_25;
-var phi_76281_: u32;
+var phi_75210_: u32;
+var phi_76194_: i32;
+var phi_76205_: i32;
+var phi_76233_: type_26;
 var phi_76282_: u32;
 var phi_76283_: u32;
-var phi_77276_: type_25;
-var phi_77509_: u32;
-var phi_77539_: u32;
-var phi_77569_: u32;
-var phi_62952_: i32;
-var phi_62798_: i32;
-var phi_56762_: i32;
-var phi_56916_: i32;
-var phi_57021_: type_25;
-var phi_57448_: f32;
-var phi_58076_: type_25;
-var phi_58154_: i32;
-var phi_58165_: i32;
-var phi_58193_: type_25;
-var phi_58242_: u32;
+var phi_76284_: u32;
+var phi_77277_: type_26;
+var phi_77510_: u32;
+var phi_77540_: u32;
+var phi_77570_: u32;
+var phi_62953_: i32;
+var phi_62799_: i32;
+var phi_56763_: i32;
+var phi_56917_: i32;
+var phi_57022_: type_26;
+var phi_57449_: f32;
+var phi_58077_: type_26;
+var phi_58155_: i32;
+var phi_58166_: i32;
+var phi_58194_: type_26;
 var phi_58243_: u32;
 var phi_58244_: u32;
-var phi_59228_: i32;
-var phi_59239_: i32;
-var phi_59267_: type_25;
-var phi_59316_: u32;
+var phi_58245_: u32;
+var phi_59229_: i32;
+var phi_59240_: i32;
+var phi_59268_: type_26;
 var phi_59317_: u32;
 var phi_59318_: u32;
-var phi_60302_: i32;
-var phi_60313_: i32;
-var phi_60341_: type_25;
-var phi_60390_: u32;
+var phi_59319_: u32;
+var phi_60303_: i32;
+var phi_60314_: i32;
+var phi_60342_: type_26;
 var phi_60391_: u32;
 var phi_60392_: u32;
-var phi_61376_: i32;
-var phi_61387_: i32;
-var phi_61415_: type_25;
-var phi_61464_: u32;
+var phi_60393_: u32;
+var phi_61377_: i32;
+var phi_61388_: i32;
+var phi_61416_: type_26;
 var phi_61465_: u32;
 var phi_61466_: u32;
-var phi_62459_: type_25;
-var phi_62692_: u32;
-var phi_62722_: u32;
-var phi_62752_: u32;
-var phi_56917_: i32;
-var phi_56763_: i32;
-var phi_55132_: i32;
-var phi_55286_: i32;
-var phi_55391_: type_25;
-var phi_55818_: f32;
-var phi_56420_: type_25;
-var phi_56653_: u32;
-var phi_56683_: u32;
-var phi_56713_: u32;
-var phi_55287_: i32;
+var phi_61467_: u32;
+var phi_62460_: type_26;
+var phi_62693_: u32;
+var phi_62723_: u32;
+var phi_62753_: u32;
+var phi_56918_: i32;
+var phi_56764_: i32;
 var phi_55133_: i32;
-var phi_6153_: type_25;
-var phi_6228_: i32;
-var phi_29525_: type_25;
-var phi_29600_: i32;
-var phi_29604_: type_25;
-var phi_29607_: i32;
-var phi_29758_: type_25;
-var phi_29761_: i32;
-var phi_29891_: type_25;
-var phi_29940_: u32;
+var phi_55287_: i32;
+var phi_55392_: type_26;
+var phi_55819_: f32;
+var phi_56421_: type_26;
+var phi_56654_: u32;
+var phi_56684_: u32;
+var phi_56714_: u32;
+var phi_55288_: i32;
+var phi_55134_: i32;
+var phi_6154_: type_26;
+var phi_6229_: i32;
+var phi_29526_: type_26;
+var phi_29601_: i32;
+var phi_29605_: type_26;
+var phi_29608_: i32;
+var phi_29759_: type_26;
+var phi_29762_: i32;
+var phi_29892_: type_26;
 var phi_29941_: u32;
 var phi_29942_: u32;
-var phi_30068_: i32;
-var phi_30079_: i32;
-var phi_30502_: f32;
-var phi_30634_: i32;
-var phi_30647_: i32;
-var phi_30661_: i32;
-var phi_30965_: f32;
-var phi_31092_: f32;
-var phi_31377_: type_25;
-var phi_31574_: u32;
+var phi_29943_: u32;
+var phi_30069_: i32;
+var phi_30080_: i32;
+var phi_30503_: f32;
+var phi_30635_: i32;
+var phi_30648_: i32;
+var phi_30662_: i32;
+var phi_30966_: f32;
+var phi_31093_: f32;
+var phi_31378_: type_26;
 var phi_31575_: u32;
 var phi_31576_: u32;
-var phi_31610_: u32;
-var phi_31640_: u32;
-var phi_31670_: u32;
-var phi_31707_: type_25;
-var phi_29759_: type_25;
-var phi_29762_: i32;
-var phi_29605_: type_25;
-var phi_29608_: i32;
-var local_261: type_25;
-var local_262: type_25;
-var phi_31724_: i32;
-var phi_39928_: i32;
-var phi_40082_: i32;
-var phi_40187_: type_25;
-var phi_40614_: f32;
-var phi_40746_: i32;
-var phi_40759_: i32;
-var phi_40773_: i32;
-var phi_41077_: f32;
-var phi_41204_: f32;
-var phi_41492_: type_25;
-var phi_41570_: i32;
-var phi_41581_: i32;
-var phi_41609_: type_25;
-var phi_41658_: u32;
+var phi_31577_: u32;
+var phi_31611_: u32;
+var phi_31641_: u32;
+var phi_31671_: u32;
+var phi_31708_: type_26;
+var phi_29760_: type_26;
+var phi_29763_: i32;
+var phi_29606_: type_26;
+var phi_29609_: i32;
+var local_261: type_26;
+var local_262: type_26;
+var phi_31725_: i32;
+var phi_39929_: i32;
+var phi_40083_: i32;
+var phi_40188_: type_26;
+var phi_40615_: f32;
+var phi_40747_: i32;
+var phi_40760_: i32;
+var phi_40774_: i32;
+var phi_41078_: f32;
+var phi_41205_: f32;
+var phi_41493_: type_26;
+var phi_41571_: i32;
+var phi_41582_: i32;
+var phi_41610_: type_26;
 var phi_41659_: u32;
 var phi_41660_: u32;
-var phi_42644_: i32;
-var phi_42655_: i32;
-var phi_42683_: type_25;
-var phi_42732_: u32;
+var phi_41661_: u32;
+var phi_42645_: i32;
+var phi_42656_: i32;
+var phi_42684_: type_26;
 var phi_42733_: u32;
 var phi_42734_: u32;
-var phi_43718_: i32;
-var phi_43729_: i32;
-var phi_43757_: type_25;
-var phi_43806_: u32;
+var phi_42735_: u32;
+var phi_43719_: i32;
+var phi_43730_: i32;
+var phi_43758_: type_26;
 var phi_43807_: u32;
 var phi_43808_: u32;
-var phi_44792_: i32;
-var phi_44803_: i32;
-var phi_44831_: type_25;
-var phi_44880_: u32;
+var phi_43809_: u32;
+var phi_44793_: i32;
+var phi_44804_: i32;
+var phi_44832_: type_26;
 var phi_44881_: u32;
 var phi_44882_: u32;
-var phi_45884_: type_25;
-var phi_45962_: i32;
-var phi_45973_: i32;
-var phi_46001_: type_25;
-var phi_46050_: u32;
+var phi_44883_: u32;
+var phi_45885_: type_26;
+var phi_45963_: i32;
+var phi_45974_: i32;
+var phi_46002_: type_26;
 var phi_46051_: u32;
 var phi_46052_: u32;
-var phi_47036_: i32;
-var phi_47047_: i32;
-var phi_47075_: type_25;
-var phi_47124_: u32;
+var phi_46053_: u32;
+var phi_47037_: i32;
+var phi_47048_: i32;
+var phi_47076_: type_26;
 var phi_47125_: u32;
 var phi_47126_: u32;
-var phi_48110_: i32;
-var phi_48121_: i32;
-var phi_48149_: type_25;
-var phi_48198_: u32;
+var phi_47127_: u32;
+var phi_48111_: i32;
+var phi_48122_: i32;
+var phi_48150_: type_26;
 var phi_48199_: u32;
 var phi_48200_: u32;
-var phi_49184_: i32;
-var phi_49195_: i32;
-var phi_49223_: type_25;
-var phi_49272_: u32;
+var phi_48201_: u32;
+var phi_49185_: i32;
+var phi_49196_: i32;
+var phi_49224_: type_26;
 var phi_49273_: u32;
 var phi_49274_: u32;
-var phi_50276_: type_25;
-var phi_50354_: i32;
-var phi_50365_: i32;
-var phi_50393_: type_25;
-var phi_50442_: u32;
+var phi_49275_: u32;
+var phi_50277_: type_26;
+var phi_50355_: i32;
+var phi_50366_: i32;
+var phi_50394_: type_26;
 var phi_50443_: u32;
 var phi_50444_: u32;
-var phi_51428_: i32;
-var phi_51439_: i32;
-var phi_51467_: type_25;
-var phi_51516_: u32;
+var phi_50445_: u32;
+var phi_51429_: i32;
+var phi_51440_: i32;
+var phi_51468_: type_26;
 var phi_51517_: u32;
 var phi_51518_: u32;
-var phi_52502_: i32;
-var phi_52513_: i32;
-var phi_52541_: type_25;
-var phi_52590_: u32;
+var phi_51519_: u32;
+var phi_52503_: i32;
+var phi_52514_: i32;
+var phi_52542_: type_26;
 var phi_52591_: u32;
 var phi_52592_: u32;
-var phi_53576_: i32;
-var phi_53587_: i32;
-var phi_53615_: type_25;
-var phi_53664_: u32;
+var phi_52593_: u32;
+var phi_53577_: i32;
+var phi_53588_: i32;
+var phi_53616_: type_26;
 var phi_53665_: u32;
 var phi_53666_: u32;
-var phi_54659_: type_25;
-var phi_54892_: u32;
-var phi_54922_: u32;
-var phi_54952_: u32;
-var phi_40083_: i32;
-var phi_39929_: i32;
-var phi_33641_: i32;
-var phi_33795_: i32;
-var phi_33900_: type_25;
-var phi_34327_: f32;
-var phi_34459_: i32;
-var phi_34472_: i32;
-var phi_34486_: i32;
-var phi_34790_: f32;
-var phi_34917_: f32;
-var phi_35207_: type_25;
-var phi_35285_: i32;
-var phi_35296_: i32;
-var phi_35324_: type_25;
-var phi_35373_: u32;
+var phi_53667_: u32;
+var phi_54660_: type_26;
+var phi_54893_: u32;
+var phi_54923_: u32;
+var phi_54953_: u32;
+var phi_40084_: i32;
+var phi_39930_: i32;
+var phi_33642_: i32;
+var phi_33796_: i32;
+var phi_33901_: type_26;
+var phi_34328_: f32;
+var phi_34460_: i32;
+var phi_34473_: i32;
+var phi_34487_: i32;
+var phi_34791_: f32;
+var phi_34918_: f32;
+var phi_35208_: type_26;
+var phi_35286_: i32;
+var phi_35297_: i32;
+var phi_35325_: type_26;
 var phi_35374_: u32;
 var phi_35375_: u32;
-var phi_36359_: i32;
-var phi_36370_: i32;
-var phi_36398_: type_25;
-var phi_36447_: u32;
+var phi_35376_: u32;
+var phi_36360_: i32;
+var phi_36371_: i32;
+var phi_36399_: type_26;
 var phi_36448_: u32;
 var phi_36449_: u32;
-var phi_37433_: i32;
-var phi_37444_: i32;
-var phi_37472_: type_25;
-var phi_37521_: u32;
+var phi_36450_: u32;
+var phi_37434_: i32;
+var phi_37445_: i32;
+var phi_37473_: type_26;
 var phi_37522_: u32;
 var phi_37523_: u32;
-var phi_38507_: i32;
-var phi_38518_: i32;
-var phi_38546_: type_25;
-var phi_38595_: u32;
+var phi_37524_: u32;
+var phi_38508_: i32;
+var phi_38519_: i32;
+var phi_38547_: type_26;
 var phi_38596_: u32;
 var phi_38597_: u32;
-var phi_39590_: type_25;
-var phi_39823_: u32;
-var phi_39853_: u32;
-var phi_39883_: u32;
-var phi_33796_: i32;
-var phi_33642_: i32;
-var phi_31759_: i32;
-var phi_31913_: i32;
-var phi_32018_: type_25;
-var phi_32445_: f32;
-var phi_32577_: i32;
-var phi_32590_: i32;
-var phi_32604_: i32;
-var phi_32908_: f32;
-var phi_33035_: f32;
-var phi_33299_: type_25;
-var phi_33532_: u32;
-var phi_33562_: u32;
-var phi_33592_: u32;
-var phi_31914_: i32;
+var phi_38598_: u32;
+var phi_39591_: type_26;
+var phi_39824_: u32;
+var phi_39854_: u32;
+var phi_39884_: u32;
+var phi_33797_: i32;
+var phi_33643_: i32;
 var phi_31760_: i32;
-var phi_14435_: i32;
-var phi_14589_: i32;
-var phi_14694_: type_25;
-var phi_15121_: f32;
-var phi_15253_: i32;
-var phi_15266_: i32;
-var phi_15280_: i32;
-var phi_15584_: f32;
-var phi_15711_: f32;
-var phi_15999_: type_25;
-var phi_16077_: i32;
-var phi_16088_: i32;
-var phi_16116_: type_25;
-var phi_16165_: u32;
+var phi_31914_: i32;
+var phi_32019_: type_26;
+var phi_32446_: f32;
+var phi_32578_: i32;
+var phi_32591_: i32;
+var phi_32605_: i32;
+var phi_32909_: f32;
+var phi_33036_: f32;
+var phi_33300_: type_26;
+var phi_33533_: u32;
+var phi_33563_: u32;
+var phi_33593_: u32;
+var phi_31915_: i32;
+var phi_31761_: i32;
+var phi_14436_: i32;
+var phi_14590_: i32;
+var phi_14695_: type_26;
+var phi_15122_: f32;
+var phi_15254_: i32;
+var phi_15267_: i32;
+var phi_15281_: i32;
+var phi_15585_: f32;
+var phi_15712_: f32;
+var phi_16000_: type_26;
+var phi_16078_: i32;
+var phi_16089_: i32;
+var phi_16117_: type_26;
 var phi_16166_: u32;
 var phi_16167_: u32;
-var phi_17151_: i32;
-var phi_17162_: i32;
-var phi_17190_: type_25;
-var phi_17239_: u32;
+var phi_16168_: u32;
+var phi_17152_: i32;
+var phi_17163_: i32;
+var phi_17191_: type_26;
 var phi_17240_: u32;
 var phi_17241_: u32;
-var phi_18225_: i32;
-var phi_18236_: i32;
-var phi_18264_: type_25;
-var phi_18313_: u32;
+var phi_17242_: u32;
+var phi_18226_: i32;
+var phi_18237_: i32;
+var phi_18265_: type_26;
 var phi_18314_: u32;
 var phi_18315_: u32;
-var phi_19299_: i32;
-var phi_19310_: i32;
-var phi_19338_: type_25;
-var phi_19387_: u32;
+var phi_18316_: u32;
+var phi_19300_: i32;
+var phi_19311_: i32;
+var phi_19339_: type_26;
 var phi_19388_: u32;
 var phi_19389_: u32;
-var phi_20391_: type_25;
-var phi_20469_: i32;
-var phi_20480_: i32;
-var phi_20508_: type_25;
-var phi_20557_: u32;
+var phi_19390_: u32;
+var phi_20392_: type_26;
+var phi_20470_: i32;
+var phi_20481_: i32;
+var phi_20509_: type_26;
 var phi_20558_: u32;
 var phi_20559_: u32;
-var phi_21543_: i32;
-var phi_21554_: i32;
-var phi_21582_: type_25;
-var phi_21631_: u32;
+var phi_20560_: u32;
+var phi_21544_: i32;
+var phi_21555_: i32;
+var phi_21583_: type_26;
 var phi_21632_: u32;
 var phi_21633_: u32;
-var phi_22617_: i32;
-var phi_22628_: i32;
-var phi_22656_: type_25;
-var phi_22705_: u32;
+var phi_21634_: u32;
+var phi_22618_: i32;
+var phi_22629_: i32;
+var phi_22657_: type_26;
 var phi_22706_: u32;
 var phi_22707_: u32;
-var phi_23691_: i32;
-var phi_23702_: i32;
-var phi_23730_: type_25;
-var phi_23779_: u32;
+var phi_22708_: u32;
+var phi_23692_: i32;
+var phi_23703_: i32;
+var phi_23731_: type_26;
 var phi_23780_: u32;
 var phi_23781_: u32;
-var phi_24783_: type_25;
-var phi_24861_: i32;
-var phi_24872_: i32;
-var phi_24900_: type_25;
-var phi_24949_: u32;
+var phi_23782_: u32;
+var phi_24784_: type_26;
+var phi_24862_: i32;
+var phi_24873_: i32;
+var phi_24901_: type_26;
 var phi_24950_: u32;
 var phi_24951_: u32;
-var phi_25935_: i32;
-var phi_25946_: i32;
-var phi_25974_: type_25;
-var phi_26023_: u32;
+var phi_24952_: u32;
+var phi_25936_: i32;
+var phi_25947_: i32;
+var phi_25975_: type_26;
 var phi_26024_: u32;
 var phi_26025_: u32;
-var phi_27009_: i32;
-var phi_27020_: i32;
-var phi_27048_: type_25;
-var phi_27097_: u32;
+var phi_26026_: u32;
+var phi_27010_: i32;
+var phi_27021_: i32;
+var phi_27049_: type_26;
 var phi_27098_: u32;
 var phi_27099_: u32;
-var phi_28083_: i32;
-var phi_28094_: i32;
-var phi_28122_: type_25;
-var phi_28171_: u32;
+var phi_27100_: u32;
+var phi_28084_: i32;
+var phi_28095_: i32;
+var phi_28123_: type_26;
 var phi_28172_: u32;
 var phi_28173_: u32;
-var phi_29166_: type_25;
-var phi_29399_: u32;
-var phi_29429_: u32;
-var phi_29459_: u32;
-var phi_14590_: i32;
-var phi_14436_: i32;
-var phi_8148_: i32;
-var phi_8302_: i32;
-var phi_8407_: type_25;
-var phi_8834_: f32;
-var phi_8966_: i32;
-var phi_8979_: i32;
-var phi_8993_: i32;
-var phi_9297_: f32;
-var phi_9424_: f32;
-var phi_9714_: type_25;
-var phi_9792_: i32;
-var phi_9803_: i32;
-var phi_9831_: type_25;
-var phi_9880_: u32;
+var phi_28174_: u32;
+var phi_29167_: type_26;
+var phi_29400_: u32;
+var phi_29430_: u32;
+var phi_29460_: u32;
+var phi_14591_: i32;
+var phi_14437_: i32;
+var phi_8149_: i32;
+var phi_8303_: i32;
+var phi_8408_: type_26;
+var phi_8835_: f32;
+var phi_8967_: i32;
+var phi_8980_: i32;
+var phi_8994_: i32;
+var phi_9298_: f32;
+var phi_9425_: f32;
+var phi_9715_: type_26;
+var phi_9793_: i32;
+var phi_9804_: i32;
+var phi_9832_: type_26;
 var phi_9881_: u32;
 var phi_9882_: u32;
-var phi_10866_: i32;
-var phi_10877_: i32;
-var phi_10905_: type_25;
-var phi_10954_: u32;
+var phi_9883_: u32;
+var phi_10867_: i32;
+var phi_10878_: i32;
+var phi_10906_: type_26;
 var phi_10955_: u32;
 var phi_10956_: u32;
-var phi_11940_: i32;
-var phi_11951_: i32;
-var phi_11979_: type_25;
-var phi_12028_: u32;
+var phi_10957_: u32;
+var phi_11941_: i32;
+var phi_11952_: i32;
+var phi_11980_: type_26;
 var phi_12029_: u32;
 var phi_12030_: u32;
-var phi_13014_: i32;
-var phi_13025_: i32;
-var phi_13053_: type_25;
-var phi_13102_: u32;
+var phi_12031_: u32;
+var phi_13015_: i32;
+var phi_13026_: i32;
+var phi_13054_: type_26;
 var phi_13103_: u32;
 var phi_13104_: u32;
-var phi_14097_: type_25;
-var phi_14330_: u32;
-var phi_14360_: u32;
-var phi_14390_: u32;
-var phi_8303_: i32;
-var phi_8149_: i32;
-var phi_6266_: i32;
-var phi_6420_: i32;
-var phi_6525_: type_25;
-var phi_6952_: f32;
-var phi_7084_: i32;
-var phi_7097_: i32;
-var phi_7111_: i32;
-var phi_7415_: f32;
-var phi_7542_: f32;
-var phi_7806_: type_25;
-var phi_8039_: u32;
-var phi_8069_: u32;
-var phi_8099_: u32;
-var phi_6421_: i32;
+var phi_13105_: u32;
+var phi_14098_: type_26;
+var phi_14331_: u32;
+var phi_14361_: u32;
+var phi_14391_: u32;
+var phi_8304_: i32;
+var phi_8150_: i32;
 var phi_6267_: i32;
-var phi_2273_: type_25;
-var phi_2348_: i32;
-var phi_2355_: i32;
-var phi_2509_: i32;
-var phi_2614_: type_25;
-var phi_3047_: f32;
-var phi_3179_: i32;
-var phi_3192_: i32;
-var phi_3206_: i32;
-var phi_3407_: f32;
-var phi_3642_: f32;
-var phi_3769_: f32;
-var phi_3799_: type_24;
-var phi_4218_: f32;
-var phi_4345_: f32;
-var phi_4375_: type_24;
-var phi_4797_: f32;
-var phi_4924_: f32;
-var phi_4954_: type_24;
-var phi_5373_: f32;
-var phi_5500_: f32;
-var phi_5530_: type_24;
-var phi_5789_: type_25;
-var phi_6022_: u32;
-var phi_6052_: u32;
-var phi_6082_: u32;
-var phi_2510_: i32;
+var phi_6421_: i32;
+var phi_6526_: type_26;
+var phi_6953_: f32;
+var phi_7085_: i32;
+var phi_7098_: i32;
+var phi_7112_: i32;
+var phi_7416_: f32;
+var phi_7543_: f32;
+var phi_7807_: type_26;
+var phi_8040_: u32;
+var phi_8070_: u32;
+var phi_8100_: u32;
+var phi_6422_: i32;
+var phi_6268_: i32;
+var phi_2274_: type_26;
+var phi_2349_: i32;
 var phi_2356_: i32;
+var phi_2510_: i32;
+var phi_2615_: type_26;
+var phi_3048_: f32;
+var phi_3180_: i32;
+var phi_3193_: i32;
+var phi_3207_: i32;
+var phi_3408_: f32;
+var phi_3643_: f32;
+var phi_3770_: f32;
+var phi_3800_: type_25;
+var phi_4219_: f32;
+var phi_4346_: f32;
+var phi_4376_: type_25;
+var phi_4798_: f32;
+var phi_4925_: f32;
+var phi_4955_: type_25;
+var phi_5374_: f32;
+var phi_5501_: f32;
+var phi_5531_: type_25;
+var phi_5790_: type_26;
+var phi_6023_: u32;
+var phi_6053_: u32;
+var phi_6083_: u32;
+var phi_2511_: i32;
+var phi_2357_: i32;
 var local_263: u32;
 var local_264: u32;
 var local_265: u32;
 var local_266: u32;
 var local_267: u32;
 var local_268: u32;
-var local_269: type_25;
-var local_270: type_25;
+var local_269: type_26;
+var local_270: type_26;
 let _e283 = global;
 let _e293 = arrayLength((&global_5.member));
 let _e296 = arrayLength((&global_6.member));
@@ -1151,8 +1163,8 @@ let _e342 = select(_e340, _e338, (_e338 < _e340));
 let _e347 = global_4.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
 let _e348 = f32(_e332);
 if (_e347 < _e348) {
-phi_883_ = bool();
-phi_884_ = true;
+phi_884_ = bool();
+phi_885_ = true;
 } else {
 let _e350 = local_253;
 let _e351 = local_255;
@@ -1162,7 +1174,7 @@ let _e357 = select(_e340, _e355, (_e355 < _e340));
 let _e362 = global_4.member[bitcast<u32>(select(0i, _e357, (_e357 > 0i)))];
 let _e365 = (_e362 > f32((_e332 + 15i)));
 if _e365 {
-phi_882_ = bool();
+phi_883_ = bool();
 } else {
 let _e366 = local_253;
 let _e367 = local_255;
@@ -1170,14 +1182,14 @@ let _e370 = local_254;
 let _e371 = ((_e366 + (11i * _e367)) + _e370);
 let _e373 = select(_e340, _e371, (_e371 < _e340));
 let _e378 = global_4.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
-phi_882_ = (_e362 <= _e378);
+phi_883_ = (_e362 <= _e378);
 }
-let _e381 = phi_882_;
-phi_883_ = _e381;
-phi_884_ = _e365;
+let _e381 = phi_883_;
+phi_884_ = _e381;
+phi_885_ = _e365;
 }
-let _e383 = phi_883_;
-let _e385 = phi_884_;
+let _e383 = phi_884_;
+let _e385 = phi_885_;
 if select(_e383, false, _e385) {
 local_250 = _e330;
 local_251 = _e315;
@@ -1275,11 +1287,11 @@ let _e576 = global_1.member.member_1.member_1;
 let _e577 = bitcast<i32>(_e572);
 let _e578 = bitcast<i32>(_e576);
 if _e487 {
-phi_1264_ = type_25(_e578, _e577);
+phi_1265_ = type_26(_e578, _e577);
 } else {
-phi_1264_ = type_25(_e577, _e578);
+phi_1265_ = type_26(_e577, _e578);
 }
-let _e582 = phi_1264_;
+let _e582 = phi_1265_;
 let _e587 = global_1.member.member_12.member_10;
 if ((_e487 != (_e587 == 1u)) || (_e332 >= _e582.member)) {
 } else {
@@ -1354,27 +1366,27 @@ let _e733 = (-(((_e450 * _e729) + _e476)) / _e463);
 let _e751 = (0.5f * 1f);
 let _e753 = (2f * (((0.5f * (bitcast<f32>((bitcast<u32>(((_e500 * _e729) + ((_e513 * _e733) + _e526))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e539 * _e729) + ((_e552 * _e733) + _e565))) & 2147483647u)))) / _e568) + _e751));
 let _e757 = global_1.member.member_18.member_1;
-phi_1976_ = 8f;
-phi_1979_ = 0u;
+phi_1977_ = 8f;
+phi_1980_ = 0u;
 loop {
-let _e759 = phi_1976_;
-let _e761 = phi_1979_;
+let _e759 = phi_1977_;
+let _e761 = phi_1980_;
 local_256 = _e761;
 local_263 = _e761;
 let _e764 = ((_e761 < _e757) && (_e753 >= _e759));
 if _e764 {
-phi_1977_ = (_e759 * 2f);
-phi_1980_ = (_e761 + 1u);
+phi_1978_ = (_e759 * 2f);
+phi_1981_ = (_e761 + 1u);
 } else {
-phi_1977_ = f32();
-phi_1980_ = u32();
+phi_1978_ = f32();
+phi_1981_ = u32();
 }
-let _e768 = phi_1977_;
-let _e770 = phi_1980_;
+let _e768 = phi_1978_;
+let _e770 = phi_1981_;
 continue;
 continuing {
-phi_1976_ = _e768;
-phi_1979_ = _e770;
+phi_1977_ = _e768;
+phi_1980_ = _e770;
 break if !(_e764);
 }
 }
@@ -1383,35 +1395,35 @@ let _e777 = f32((1i << bitcast<u32>((_e773 & 31u))));
 let _e780 = f32(_e726);
 if (((_e348 - _e777) > _e425) && ((_e780 + _e777) < _e438)) {
 let _e28217 = local_263;
-phi_2024_ = _e28217;
+phi_2025_ = _e28217;
 } else {
-phi_2009_ = 8f;
-phi_2012_ = 0u;
+phi_2010_ = 8f;
+phi_2013_ = 0u;
 loop {
-let _e786 = phi_2009_;
-let _e788 = phi_2012_;
+let _e786 = phi_2010_;
+let _e788 = phi_2013_;
 local_264 = _e788;
 let _e791 = ((_e788 < _e757) && ((_e753 * 0.125f) >= _e786));
 if _e791 {
-phi_2010_ = (_e786 * 2f);
-phi_2013_ = (_e788 + 1u);
+phi_2011_ = (_e786 * 2f);
+phi_2014_ = (_e788 + 1u);
 } else {
-phi_2010_ = f32();
-phi_2013_ = u32();
+phi_2011_ = f32();
+phi_2014_ = u32();
 }
-let _e795 = phi_2010_;
-let _e797 = phi_2013_;
+let _e795 = phi_2011_;
+let _e797 = phi_2014_;
 continue;
 continuing {
-phi_2009_ = _e795;
-phi_2012_ = _e797;
+phi_2010_ = _e795;
+phi_2013_ = _e797;
 break if !(_e791);
 }
 }
 let _e28219 = local_264;
-phi_2024_ = _e28219;
+phi_2025_ = _e28219;
 }
-let _e800 = phi_2024_;
+let _e800 = phi_2025_;
 let _e801 = (_e332 - 16i);
 let _e803 = (_e399 <= _e412);
 let _e804 = f32(_e801);
@@ -1419,27 +1431,27 @@ if ((_e801 >= 0i) && ((_e803 && (_e412 >= _e804)) && (_e399 <= f32((_e332 - 1i))
 let _e812 = (_e804 + _e728);
 let _e816 = (-(((_e450 * _e812) + _e476)) / _e463);
 let _e835 = (2f * (((0.5f * (bitcast<f32>((bitcast<u32>(((_e500 * _e812) + ((_e513 * _e816) + _e526))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e539 * _e812) + ((_e552 * _e816) + _e565))) & 2147483647u)))) / _e568) + _e751));
-phi_2079_ = 8f;
-phi_2082_ = 0u;
+phi_2080_ = 8f;
+phi_2083_ = 0u;
 loop {
-let _e837 = phi_2079_;
-let _e839 = phi_2082_;
+let _e837 = phi_2080_;
+let _e839 = phi_2083_;
 local_257 = _e839;
 local_265 = _e839;
 let _e842 = ((_e839 < _e757) && (_e835 >= _e837));
 if _e842 {
-phi_2080_ = (_e837 * 2f);
-phi_2083_ = (_e839 + 1u);
+phi_2081_ = (_e837 * 2f);
+phi_2084_ = (_e839 + 1u);
 } else {
-phi_2080_ = f32();
-phi_2083_ = u32();
+phi_2081_ = f32();
+phi_2084_ = u32();
 }
-let _e846 = phi_2080_;
-let _e848 = phi_2083_;
+let _e846 = phi_2081_;
+let _e848 = phi_2084_;
 continue;
 continuing {
-phi_2079_ = _e846;
-phi_2082_ = _e848;
+phi_2080_ = _e846;
+phi_2083_ = _e848;
 break if !(_e842);
 }
 }
@@ -1447,65 +1459,65 @@ let _e851 = local_257;
 let _e855 = f32((1i << bitcast<u32>((_e851 & 31u))));
 if (((_e804 - _e855) > _e425) && ((_e348 + _e855) < _e438)) {
 let _e28231 = local_265;
-phi_2127_ = _e28231;
+phi_2128_ = _e28231;
 } else {
-phi_2112_ = 8f;
-phi_2115_ = 0u;
+phi_2113_ = 8f;
+phi_2116_ = 0u;
 loop {
-let _e863 = phi_2112_;
-let _e865 = phi_2115_;
+let _e863 = phi_2113_;
+let _e865 = phi_2116_;
 local_266 = _e865;
 let _e868 = ((_e865 < _e757) && ((_e835 * 0.125f) >= _e863));
 if _e868 {
-phi_2113_ = (_e863 * 2f);
-phi_2116_ = (_e865 + 1u);
+phi_2114_ = (_e863 * 2f);
+phi_2117_ = (_e865 + 1u);
 } else {
-phi_2113_ = f32();
-phi_2116_ = u32();
+phi_2114_ = f32();
+phi_2117_ = u32();
 }
-let _e872 = phi_2113_;
-let _e874 = phi_2116_;
+let _e872 = phi_2114_;
+let _e874 = phi_2117_;
 continue;
 continuing {
-phi_2112_ = _e872;
-phi_2115_ = _e874;
+phi_2113_ = _e872;
+phi_2116_ = _e874;
 break if !(_e868);
 }
 }
 let _e28233 = local_266;
-phi_2127_ = _e28233;
+phi_2128_ = _e28233;
 }
-let _e877 = phi_2127_;
-phi_2128_ = _e877;
+let _e877 = phi_2128_;
+phi_2129_ = _e877;
 } else {
-phi_2128_ = _e800;
+phi_2129_ = _e800;
 }
-let _e879 = phi_2128_;
+let _e879 = phi_2129_;
 if ((_e726 < _e582.member) && ((_e803 && (_e412 >= _e780)) && (_e399 <= f32((_e332 + 31i))))) {
 let _e889 = (_e780 + _e728);
 let _e893 = (-(((_e450 * _e889) + _e476)) / _e463);
 let _e912 = (2f * (((0.5f * (bitcast<f32>((bitcast<u32>(((_e500 * _e889) + ((_e513 * _e893) + _e526))) & 2147483647u)) + bitcast<f32>((bitcast<u32>(((_e539 * _e889) + ((_e552 * _e893) + _e565))) & 2147483647u)))) / _e568) + _e751));
-phi_2179_ = 8f;
-phi_2182_ = 0u;
+phi_2180_ = 8f;
+phi_2183_ = 0u;
 loop {
-let _e914 = phi_2179_;
-let _e916 = phi_2182_;
+let _e914 = phi_2180_;
+let _e916 = phi_2183_;
 local_258 = _e916;
 local_267 = _e916;
 let _e919 = ((_e916 < _e757) && (_e912 >= _e914));
 if _e919 {
-phi_2180_ = (_e914 * 2f);
-phi_2183_ = (_e916 + 1u);
+phi_2181_ = (_e914 * 2f);
+phi_2184_ = (_e916 + 1u);
 } else {
-phi_2180_ = f32();
-phi_2183_ = u32();
+phi_2181_ = f32();
+phi_2184_ = u32();
 }
-let _e923 = phi_2180_;
-let _e925 = phi_2183_;
+let _e923 = phi_2181_;
+let _e925 = phi_2184_;
 continue;
 continuing {
-phi_2179_ = _e923;
-phi_2182_ = _e925;
+phi_2180_ = _e923;
+phi_2183_ = _e925;
 break if !(_e919);
 }
 }
@@ -1513,51 +1525,51 @@ let _e928 = local_258;
 let _e932 = f32((1i << bitcast<u32>((_e928 & 31u))));
 if (((_e780 - _e932) > _e425) && ((f32((_e332 + 32i)) + _e932) < _e438)) {
 let _e28246 = local_267;
-phi_2227_ = _e28246;
+phi_2228_ = _e28246;
 } else {
-phi_2212_ = 8f;
-phi_2215_ = 0u;
+phi_2213_ = 8f;
+phi_2216_ = 0u;
 loop {
-let _e941 = phi_2212_;
-let _e943 = phi_2215_;
+let _e941 = phi_2213_;
+let _e943 = phi_2216_;
 local_268 = _e943;
 let _e946 = ((_e943 < _e757) && ((_e912 * 0.125f) >= _e941));
 if _e946 {
-phi_2213_ = (_e941 * 2f);
-phi_2216_ = (_e943 + 1u);
+phi_2214_ = (_e941 * 2f);
+phi_2217_ = (_e943 + 1u);
 } else {
-phi_2213_ = f32();
-phi_2216_ = u32();
+phi_2214_ = f32();
+phi_2217_ = u32();
 }
-let _e950 = phi_2213_;
-let _e952 = phi_2216_;
+let _e950 = phi_2214_;
+let _e952 = phi_2217_;
 continue;
 continuing {
-phi_2212_ = _e950;
-phi_2215_ = _e952;
+phi_2213_ = _e950;
+phi_2216_ = _e952;
 break if !(_e946);
 }
 }
 let _e28248 = local_268;
-phi_2227_ = _e28248;
+phi_2228_ = _e28248;
 }
-let _e955 = phi_2227_;
-phi_2228_ = _e955;
+let _e955 = phi_2228_;
+phi_2229_ = _e955;
 } else {
-phi_2228_ = _e800;
+phi_2229_ = _e800;
 }
-let _e957 = phi_2228_;
+let _e957 = phi_2229_;
 if (_e307.member_2 == 2u) {
 let _e25773 = global_1.member.member_1.member;
 let _e25776 = global_1.member.member_1.member_1;
 let _e25777 = bitcast<i32>(_e25773);
 let _e25778 = bitcast<i32>(_e25776);
 if _e487 {
-phi_2273_ = type_25(_e25778, _e25777);
+phi_2274_ = type_26(_e25778, _e25777);
 } else {
-phi_2273_ = type_25(_e25777, _e25778);
+phi_2274_ = type_26(_e25777, _e25778);
 }
-let _e25782 = phi_2273_;
+let _e25782 = phi_2274_;
 let _e25786 = f32((_e332 + 15i));
 let _e25788 = select(_e25786, _e412, (_e412 < _e25786));
 let _e25790 = select(_e348, _e25788, (_e25788 > _e348));
@@ -1569,14 +1581,14 @@ let _e25808 = select(_e348, _e25806, (_e25806 > _e348));
 let _e25810 = select(_e25786, _e25808, (_e25808 < _e25786));
 let _e25817 = select(0i, select(select(i32(_e25810), i32(-2147483648), (_e25810 < -2147483600f)), 2147483647i, (_e25810 > 2147483500f)), (_e25810 == _e25810));
 if (_e25804 < _e25782.member) {
-phi_2348_ = _e25804;
+phi_2349_ = _e25804;
 } else {
-phi_2348_ = (_e25782.member - 1i);
+phi_2349_ = (_e25782.member - 1i);
 }
-let _e25826 = phi_2348_;
-phi_2355_ = 0i;
+let _e25826 = phi_2349_;
+phi_2356_ = 0i;
 loop {
-let _e25829 = phi_2355_;
+let _e25829 = phi_2356_;
 let _e25830 = (_e25829 < 16i);
 if _e25830 {
 let _e25832 = (bitcast<i32>((_e25817 - select(0i, 1i, (_e25810 < f32(_e25817))))) + (_e25829 & 15i));
@@ -1605,9 +1617,9 @@ let _e25916 = select(_e25908, _e25914, (_e25914 > _e25908));
 let _e25918 = (0.5f * (_e25912 + _e25916));
 let _e25919 = (0.5f / _e25916);
 let _e25920 = (1f / _e25912);
-phi_2509_ = 0i;
+phi_2510_ = 0i;
 loop {
-let _e25922 = phi_2509_;
+let _e25922 = phi_2510_;
 let _e25924 = (((_e25897 - select(0i, 1i, (_e25890 < f32(_e25897)))) + (_e25829 >> bitcast<u32>(4u))) + bitcast<i32>(_e25922));
 let _e25925 = (_e25924 <= select(-1i, (_e25880 - select(0i, 1i, (_e25873 < f32(_e25880)))), (_e25832 <= _e25826)));
 if _e25925 {
@@ -1629,11 +1641,11 @@ let _e25962 = select(_e25916, _e25960, (_e25960 < _e25916));
 let _e25965 = (_e25958 - _e25916);
 let _e25969 = (((_e25962 * (_e25962 * _e25919)) + select(0f, _e25965, (_e25965 > 0f))) * _e25920);
 if _e487 {
-phi_2614_ = type_25(_e25924, _e25832);
+phi_2615_ = type_26(_e25924, _e25832);
 } else {
-phi_2614_ = type_25(_e25832, _e25924);
+phi_2615_ = type_26(_e25832, _e25924);
 }
-let _e25978 = phi_2614_;
+let _e25978 = phi_2615_;
 let _e25982 = bitcast<i32>((_e25773 * _e25776));
 local_242 = _e25982;
 local_243 = ((_e25978.member_1 * _e25777) + _e25978.member);
@@ -1714,11 +1726,11 @@ let _e26207 = global_2.member[bitcast<u32>(select(0i, _e26202, (_e26202 > 0i)))]
 let _e26209 = (_e26197 + (_e26193 + 1i));
 let _e26211 = select(_e26200, _e26209, (_e26209 < _e26200));
 let _e26216 = global_2.member[bitcast<u32>(select(0i, _e26211, (_e26211 > 0i)))];
-phi_3047_ = (_e26207 + ((_e26216 - _e26207) * (_e26177 - f32(_e26193))));
+phi_3048_ = (_e26207 + ((_e26216 - _e26207) * (_e26177 - f32(_e26193))));
 } else {
-phi_3047_ = select(((1f - _e26148) / (_e26154 * sqrt(select(0f, _e26154, (_e26154 > 0f))))), (0.75f * (1f + (_e26144 * _e26144))), (_e26166 == 1u));
+phi_3048_ = select(((1f - _e26148) / (_e26154 * sqrt(select(0f, _e26154, (_e26154 > 0f))))), (0.75f * (1f + (_e26144 * _e26144))), (_e26166 == 1u));
 }
-let _e26223 = phi_3047_;
+let _e26223 = phi_3048_;
 let _e26226 = ((_e568 * _e26142) * (_e26223 * (0.25f / 3.1415927f)));
 let _e26229 = global_1.member.member_13.member_6;
 if (false || (true && (_e26229 > 0u))) {
@@ -1763,29 +1775,29 @@ local_240 = (_e26273 - f32(_e26310));
 let _e26347 = (_e26310 + 1i);
 let _e26349 = select(_e26347, 0i, (_e26347 < 0i));
 if (_e26349 >= _e26242) {
-phi_3179_ = (_e26242 - 1i);
+phi_3180_ = (_e26242 - 1i);
 } else {
-phi_3179_ = _e26349;
+phi_3180_ = _e26349;
 }
-let _e26353 = phi_3179_;
+let _e26353 = phi_3180_;
 local_241 = (_e26353 - _e26310);
 let _e26355 = (_e26325 + 1i);
 let _e26357 = select(_e26355, 0i, (_e26355 < 0i));
 if (_e26357 >= _e26246) {
-phi_3192_ = (_e26246 - 1i);
+phi_3193_ = (_e26246 - 1i);
 } else {
-phi_3192_ = _e26357;
+phi_3193_ = _e26357;
 }
-let _e26361 = phi_3192_;
+let _e26361 = phi_3193_;
 let _e26363 = ((_e26361 - _e26325) * _e26242);
 let _e26364 = (_e26340 + 1i);
 let _e26366 = select(_e26364, 0i, (_e26364 < 0i));
 if (_e26366 >= _e26250) {
-phi_3206_ = (_e26250 - 1i);
+phi_3207_ = (_e26250 - 1i);
 } else {
-phi_3206_ = _e26366;
+phi_3207_ = _e26366;
 }
-let _e26370 = phi_3206_;
+let _e26370 = phi_3207_;
 let _e26376 = global_1.member.member_13.member_10;
 let _e26382 = ((bitcast<i32>(_e26376) + (((_e26340 * _e26246) + _e26325) * _e26242)) + _e26310);
 let _e26384 = (bitcast<i32>(_e299) - 1i);
@@ -1825,11 +1837,11 @@ let _e26470 = (_e26458 + _e26469);
 let _e26472 = select(_e26384, _e26470, (_e26470 < _e26384));
 let _e26477 = global_2.member[bitcast<u32>(select(0i, _e26472, (_e26472 > 0i)))];
 let _e26478 = local_240;
-phi_3407_ = (_e26226 * ((((((_e26391 * (1f - _e26392)) + (_e26403 * _e26404)) * _e26407) + (((_e26416 * (1f - _e26417)) + (_e26428 * _e26429)) * _e26344)) * (1f - _e26346)) + (((((_e26441 * (1f - _e26442)) + (_e26453 * _e26454)) * _e26407) + (((_e26465 * (1f - _e26466)) + (_e26477 * _e26478)) * _e26344)) * _e26346)));
+phi_3408_ = (_e26226 * ((((((_e26391 * (1f - _e26392)) + (_e26403 * _e26404)) * _e26407) + (((_e26416 * (1f - _e26417)) + (_e26428 * _e26429)) * _e26344)) * (1f - _e26346)) + (((((_e26441 * (1f - _e26442)) + (_e26453 * _e26454)) * _e26407) + (((_e26465 * (1f - _e26466)) + (_e26477 * _e26478)) * _e26344)) * _e26346)));
 } else {
-phi_3407_ = _e26226;
+phi_3408_ = _e26226;
 }
-let _e26489 = phi_3407_;
+let _e26489 = phi_3408_;
 let _e26492 = global_1.member.member_12.member_14;
 let _e26493 = (_e26131 / _e26492);
 let _e26495 = select(-1e9f, _e26493, (_e26493 > -1e9f));
@@ -1854,7 +1866,7 @@ let _e26574 = (_e26492 / _e26511);
 let _e26576 = (_e26229 == 0u);
 if _e26576 {
 let _e26718 = (_e26513 - _e25996);
-phi_3799_ = type_24(_e26134, select(0f, _e26718, (_e26718 > 0f)));
+phi_3800_ = type_25(_e26134, select(0f, _e26718, (_e26718 > 0f)));
 } else {
 let _e26579 = global_1.member.member_12.member_12;
 let _e26582 = global_1.member.member_12.member_4;
@@ -1881,11 +1893,11 @@ let _e26625 = ((_e26620 + ((_e26617 - 1i) * _e26621)) + _e26624);
 let _e26627 = (bitcast<i32>(_e302) - 1i);
 let _e26629 = select(_e26627, _e26625, (_e26625 < _e26627));
 let _e26634 = global_7.member[bitcast<u32>(select(0i, _e26629, (_e26629 > 0i)))];
-phi_3642_ = _e26634;
+phi_3643_ = _e26634;
 } else {
-phi_3642_ = 0f;
+phi_3643_ = 0f;
 }
-let _e26636 = phi_3642_;
+let _e26636 = phi_3643_;
 let _e26637 = local_237;
 let _e26638 = local_239;
 let _e26641 = local_238;
@@ -1911,20 +1923,20 @@ let _e26688 = local_235;
 let _e26689 = ((_e26684 + ((_e26681 - 1i) * _e26685)) + _e26688);
 let _e26691 = select(_e26644, _e26689, (_e26689 < _e26644));
 let _e26696 = global_7.member[bitcast<u32>(select(0i, _e26691, (_e26691 > 0i)))];
-phi_3769_ = _e26696;
+phi_3770_ = _e26696;
 } else {
-phi_3769_ = 0f;
+phi_3770_ = 0f;
 }
-let _e26698 = phi_3769_;
+let _e26698 = phi_3770_;
 let _e26699 = local_234;
 let _e26700 = local_236;
 let _e26703 = local_235;
 let _e26704 = ((_e26699 + (_e26681 * _e26700)) + _e26703);
 let _e26706 = select(_e26644, _e26704, (_e26704 < _e26644));
 let _e26711 = global_7.member[bitcast<u32>(select(0i, _e26706, (_e26706 > 0i)))];
-phi_3799_ = type_24((_e26636 + ((_e26651 - _e26636) * (_e26599 - f32(_e26617)))), (_e26698 + ((_e26711 - _e26698) * (_e26666 - f32(_e26681)))));
+phi_3800_ = type_25((_e26636 + ((_e26651 - _e26636) * (_e26599 - f32(_e26617)))), (_e26698 + ((_e26711 - _e26698) * (_e26666 - f32(_e26681)))));
 }
-let _e26723 = phi_3799_;
+let _e26723 = phi_3800_;
 let _e26728 = select(_e26015, _e26007, (_e26007 < _e26015));
 let _e26731 = (_e26723.member + _e26723.member_1);
 let _e26734 = global_1.member.member_13.member;
@@ -1973,7 +1985,7 @@ let _e26918 = f32(_e26917);
 let _e26922 = ((_e26900 - (_e26918 * 0.6933594f)) - (_e26918 * -2.1219444e-4f));
 if _e26576 {
 let _e27090 = (_e26888 - _e25996);
-phi_4375_ = type_24(_e26134, select(0f, _e27090, (_e27090 > 0f)));
+phi_4376_ = type_25(_e26134, select(0f, _e27090, (_e27090 > 0f)));
 } else {
 let _e26951 = global_1.member.member_12.member_12;
 let _e26954 = global_1.member.member_12.member_4;
@@ -2000,11 +2012,11 @@ let _e26997 = ((_e26992 + ((_e26989 - 1i) * _e26993)) + _e26996);
 let _e26999 = (bitcast<i32>(_e302) - 1i);
 let _e27001 = select(_e26999, _e26997, (_e26997 < _e26999));
 let _e27006 = global_7.member[bitcast<u32>(select(0i, _e27001, (_e27001 > 0i)))];
-phi_4218_ = _e27006;
+phi_4219_ = _e27006;
 } else {
-phi_4218_ = 0f;
+phi_4219_ = 0f;
 }
-let _e27008 = phi_4218_;
+let _e27008 = phi_4219_;
 let _e27009 = local_231;
 let _e27010 = local_233;
 let _e27013 = local_232;
@@ -2030,20 +2042,20 @@ let _e27060 = local_229;
 let _e27061 = ((_e27056 + ((_e27053 - 1i) * _e27057)) + _e27060);
 let _e27063 = select(_e27016, _e27061, (_e27061 < _e27016));
 let _e27068 = global_7.member[bitcast<u32>(select(0i, _e27063, (_e27063 > 0i)))];
-phi_4345_ = _e27068;
+phi_4346_ = _e27068;
 } else {
-phi_4345_ = 0f;
+phi_4346_ = 0f;
 }
-let _e27070 = phi_4345_;
+let _e27070 = phi_4346_;
 let _e27071 = local_228;
 let _e27072 = local_230;
 let _e27075 = local_229;
 let _e27076 = ((_e27071 + (_e27053 * _e27072)) + _e27075);
 let _e27078 = select(_e27016, _e27076, (_e27076 < _e27016));
 let _e27083 = global_7.member[bitcast<u32>(select(0i, _e27078, (_e27078 > 0i)))];
-phi_4375_ = type_24((_e27008 + ((_e27023 - _e27008) * (_e26971 - f32(_e26989)))), (_e27070 + ((_e27083 - _e27070) * (_e27038 - f32(_e27053)))));
+phi_4376_ = type_25((_e27008 + ((_e27023 - _e27008) * (_e26971 - f32(_e26989)))), (_e27070 + ((_e27083 - _e27070) * (_e27038 - f32(_e27053)))));
 }
-let _e27095 = phi_4375_;
+let _e27095 = phi_4376_;
 let _e27101 = (_e27095.member + _e27095.member_1);
 let _e27103 = -((_e26734.member * _e27101));
 let _e27105 = select(-87f, _e27103, (_e27103 > -87f));
@@ -2090,7 +2102,7 @@ let _e27285 = f32(_e27284);
 let _e27289 = ((_e27267 - (_e27285 * 0.6933594f)) - (_e27285 * -2.1219444e-4f));
 if _e26576 {
 let _e27457 = (_e27255 - _e25996);
-phi_4954_ = type_24(_e26134, select(0f, _e27457, (_e27457 > 0f)));
+phi_4955_ = type_25(_e26134, select(0f, _e27457, (_e27457 > 0f)));
 } else {
 let _e27318 = global_1.member.member_12.member_12;
 let _e27321 = global_1.member.member_12.member_4;
@@ -2117,11 +2129,11 @@ let _e27364 = ((_e27359 + ((_e27356 - 1i) * _e27360)) + _e27363);
 let _e27366 = (bitcast<i32>(_e302) - 1i);
 let _e27368 = select(_e27366, _e27364, (_e27364 < _e27366));
 let _e27373 = global_7.member[bitcast<u32>(select(0i, _e27368, (_e27368 > 0i)))];
-phi_4797_ = _e27373;
+phi_4798_ = _e27373;
 } else {
-phi_4797_ = 0f;
+phi_4798_ = 0f;
 }
-let _e27375 = phi_4797_;
+let _e27375 = phi_4798_;
 let _e27376 = local_225;
 let _e27377 = local_227;
 let _e27380 = local_226;
@@ -2147,20 +2159,20 @@ let _e27427 = local_223;
 let _e27428 = ((_e27423 + ((_e27420 - 1i) * _e27424)) + _e27427);
 let _e27430 = select(_e27383, _e27428, (_e27428 < _e27383));
 let _e27435 = global_7.member[bitcast<u32>(select(0i, _e27430, (_e27430 > 0i)))];
-phi_4924_ = _e27435;
+phi_4925_ = _e27435;
 } else {
-phi_4924_ = 0f;
+phi_4925_ = 0f;
 }
-let _e27437 = phi_4924_;
+let _e27437 = phi_4925_;
 let _e27438 = local_222;
 let _e27439 = local_224;
 let _e27442 = local_223;
 let _e27443 = ((_e27438 + (_e27420 * _e27439)) + _e27442);
 let _e27445 = select(_e27383, _e27443, (_e27443 < _e27383));
 let _e27450 = global_7.member[bitcast<u32>(select(0i, _e27445, (_e27445 > 0i)))];
-phi_4954_ = type_24((_e27375 + ((_e27390 - _e27375) * (_e27338 - f32(_e27356)))), (_e27437 + ((_e27450 - _e27437) * (_e27405 - f32(_e27420)))));
+phi_4955_ = type_25((_e27375 + ((_e27390 - _e27375) * (_e27338 - f32(_e27356)))), (_e27437 + ((_e27450 - _e27437) * (_e27405 - f32(_e27420)))));
 }
-let _e27462 = phi_4954_;
+let _e27462 = phi_4955_;
 let _e27468 = (_e27462.member + _e27462.member_1);
 let _e27470 = -((_e26734.member * _e27468));
 let _e27472 = select(-87f, _e27470, (_e27470 > -87f));
@@ -2207,7 +2219,7 @@ let _e27649 = f32(_e27648);
 let _e27653 = ((_e27631 - (_e27649 * 0.6933594f)) - (_e27649 * -2.1219444e-4f));
 if _e26576 {
 let _e27821 = (_e27619 - _e25996);
-phi_5530_ = type_24(_e26134, select(0f, _e27821, (_e27821 > 0f)));
+phi_5531_ = type_25(_e26134, select(0f, _e27821, (_e27821 > 0f)));
 } else {
 let _e27682 = global_1.member.member_12.member_12;
 let _e27685 = global_1.member.member_12.member_4;
@@ -2234,11 +2246,11 @@ let _e27728 = ((_e27723 + ((_e27720 - 1i) * _e27724)) + _e27727);
 let _e27730 = (bitcast<i32>(_e302) - 1i);
 let _e27732 = select(_e27730, _e27728, (_e27728 < _e27730));
 let _e27737 = global_7.member[bitcast<u32>(select(0i, _e27732, (_e27732 > 0i)))];
-phi_5373_ = _e27737;
+phi_5374_ = _e27737;
 } else {
-phi_5373_ = 0f;
+phi_5374_ = 0f;
 }
-let _e27739 = phi_5373_;
+let _e27739 = phi_5374_;
 let _e27740 = local_219;
 let _e27741 = local_221;
 let _e27744 = local_220;
@@ -2264,20 +2276,20 @@ let _e27791 = local_217;
 let _e27792 = ((_e27787 + ((_e27784 - 1i) * _e27788)) + _e27791);
 let _e27794 = select(_e27747, _e27792, (_e27792 < _e27747));
 let _e27799 = global_7.member[bitcast<u32>(select(0i, _e27794, (_e27794 > 0i)))];
-phi_5500_ = _e27799;
+phi_5501_ = _e27799;
 } else {
-phi_5500_ = 0f;
+phi_5501_ = 0f;
 }
-let _e27801 = phi_5500_;
+let _e27801 = phi_5501_;
 let _e27802 = local_216;
 let _e27803 = local_218;
 let _e27806 = local_217;
 let _e27807 = ((_e27802 + (_e27784 * _e27803)) + _e27806);
 let _e27809 = select(_e27747, _e27807, (_e27807 < _e27747));
 let _e27814 = global_7.member[bitcast<u32>(select(0i, _e27809, (_e27809 > 0i)))];
-phi_5530_ = type_24((_e27739 + ((_e27754 - _e27739) * (_e27702 - f32(_e27720)))), (_e27801 + ((_e27814 - _e27801) * (_e27769 - f32(_e27784)))));
+phi_5531_ = type_25((_e27739 + ((_e27754 - _e27739) * (_e27702 - f32(_e27720)))), (_e27801 + ((_e27814 - _e27801) * (_e27769 - f32(_e27784)))));
 }
-let _e27826 = phi_5530_;
+let _e27826 = phi_5531_;
 let _e27832 = (_e27826.member + _e27826.member_1);
 let _e27834 = -((_e26734.member * _e27832));
 let _e27836 = select(-87f, _e27834, (_e27834 > -87f));
@@ -2313,11 +2325,11 @@ let _e27977 = select(0f, (select(0f, (0.70403045f * (1f - ((1f - ((1f + (_e27653
 let _e27989 = global_1.member.member_13.member_1;
 let _e28002 = select(0f, _e26131, (((_e26134 >= 0f) && (_e26134 < _e725)) && (_e26131 > 0f)));
 if _e487 {
-phi_5789_ = type_25(_e25924, _e25832);
+phi_5790_ = type_26(_e25924, _e25832);
 } else {
-phi_5789_ = type_25(_e25832, _e25924);
+phi_5790_ = type_26(_e25832, _e25924);
 }
-let _e28013 = phi_5789_;
+let _e28013 = phi_5790_;
 let _e28016 = (_e25925 && (((_e28002 > 0f) && (_e28002 < _e26015)) && true));
 let _e28019 = global_1.member.member_18.member;
 let _e28020 = (((select(_e25950, (1f - _e25950), (_e25935 >= 0f)) - select(_e25969, (1f - _e25969), (_e25954 >= 0f))) * (1f / _e25932)) * _e28019);
@@ -2358,11 +2370,11 @@ if ((_e28054 | _e28061) == 0u) {
 let _e28137 = bitcast<u32>(_e28134);
 if (_e28137 < _e304) {
 let _e28141 = atomicAdd((&global_8.member[_e28137]), _e28054);
-phi_6022_ = _e28141;
+phi_6023_ = _e28141;
 } else {
-phi_6022_ = 0u;
+phi_6023_ = 0u;
 }
-let _e28143 = phi_6022_;
+let _e28143 = phi_6023_;
 let _e28147 = (_e28061 + select(0u, 1u, ((_e28143 + _e28054) < _e28054)));
 if (_e28147 == 0u) {
 } else {
@@ -2377,11 +2389,11 @@ if ((_e28088 | _e28095) == 0u) {
 let _e28157 = bitcast<u32>((_e28134 + 2i));
 if (_e28157 < _e304) {
 let _e28161 = atomicAdd((&global_8.member[_e28157]), _e28088);
-phi_6052_ = _e28161;
+phi_6053_ = _e28161;
 } else {
-phi_6052_ = 0u;
+phi_6053_ = 0u;
 }
-let _e28163 = phi_6052_;
+let _e28163 = phi_6053_;
 let _e28167 = (_e28095 + select(0u, 1u, ((_e28163 + _e28088) < _e28088)));
 if (_e28167 == 0u) {
 } else {
@@ -2396,11 +2408,11 @@ if ((_e28122 | _e28129) == 0u) {
 let _e28177 = bitcast<u32>((_e28134 + 4i));
 if (_e28177 < _e304) {
 let _e28181 = atomicAdd((&global_8.member[_e28177]), _e28122);
-phi_6082_ = _e28181;
+phi_6083_ = _e28181;
 } else {
-phi_6082_ = 0u;
+phi_6083_ = 0u;
 }
-let _e28183 = phi_6082_;
+let _e28183 = phi_6083_;
 let _e28187 = (_e28129 + select(0u, 1u, ((_e28183 + _e28122) < _e28122)));
 if (_e28187 == 0u) {
 } else {
@@ -2410,25 +2422,25 @@ let _e28193 = atomicAdd((&global_8.member[_e28189]), _e28187);
 }
 }
 }
-phi_2510_ = (_e25922 + 1i);
+phi_2511_ = (_e25922 + 1i);
 } else {
-phi_2510_ = i32();
+phi_2511_ = i32();
 }
-let _e28196 = phi_2510_;
+let _e28196 = phi_2511_;
 continue;
 continuing {
-phi_2509_ = _e28196;
+phi_2510_ = _e28196;
 break if !(_e25925);
 }
 }
-phi_2356_ = (_e25829 + 1i);
+phi_2357_ = (_e25829 + 1i);
 } else {
-phi_2356_ = i32();
+phi_2357_ = i32();
 }
-let _e28200 = phi_2356_;
+let _e28200 = phi_2357_;
 continue;
 continuing {
-phi_2355_ = _e28200;
+phi_2356_ = _e28200;
 break if !(_e25830);
 }
 }
@@ -2439,11 +2451,11 @@ let _e11946 = global_1.member.member_1.member_1;
 let _e11947 = bitcast<i32>(_e11943);
 let _e11948 = bitcast<i32>(_e11946);
 if _e487 {
-phi_6153_ = type_25(_e11948, _e11947);
+phi_6154_ = type_26(_e11948, _e11947);
 } else {
-phi_6153_ = type_25(_e11947, _e11948);
+phi_6154_ = type_26(_e11947, _e11948);
 }
-let _e11952 = phi_6153_;
+let _e11952 = phi_6154_;
 let _e11956 = f32((_e332 + 15i));
 let _e11958 = select(_e11956, _e412, (_e412 < _e11956));
 let _e11960 = select(_e348, _e11958, (_e11958 > _e348));
@@ -2458,11 +2470,11 @@ let _e11987 = select(0i, select(select(i32(_e11980), i32(-2147483648), (_e11980 
 let _e11991 = (_e11987 - select(0i, 1i, (_e11980 < f32(_e11987))));
 let _e11992 = bitcast<i32>(_e11991);
 if (_e11974 < _e11952.member) {
-phi_6228_ = _e11974;
+phi_6229_ = _e11974;
 } else {
-phi_6228_ = (_e11952.member - 1i);
+phi_6229_ = (_e11952.member - 1i);
 }
-let _e11996 = phi_6228_;
+let _e11996 = phi_6229_;
 let _e11997 = (_e11952.member_1 - 1i);
 let _e11998 = (_e800 == 0u);
 if _e11998 {
@@ -2470,9 +2482,9 @@ let _e19556 = select(_e879, 0u, (_e879 == _e800));
 let _e19560 = select(_e957, 0u, ((_e957 == _e800) || (_e957 == _e879)));
 let _e19568 = ((select(0u, 1u, (_e800 > 0u)) + select(0u, 1u, (_e19556 > 0u))) + select(0u, 1u, (_e19560 > 0u)));
 if (_e19568 == 0u) {
-phi_6266_ = 0i;
+phi_6267_ = 0i;
 loop {
-let _e24613 = phi_6266_;
+let _e24613 = phi_6267_;
 let _e24614 = (_e24613 < 16i);
 if _e24614 {
 let _e24616 = (_e11992 + (_e24613 & 15i));
@@ -2501,9 +2513,9 @@ let _e24700 = select(_e24692, _e24698, (_e24698 > _e24692));
 let _e24702 = (0.5f * (_e24696 + _e24700));
 let _e24703 = (0.5f / _e24700);
 let _e24704 = (1f / _e24696);
-phi_6420_ = 0i;
+phi_6421_ = 0i;
 loop {
-let _e24706 = phi_6420_;
+let _e24706 = phi_6421_;
 let _e24708 = (((_e24681 - select(0i, 1i, (_e24674 < f32(_e24681)))) + (_e24613 >> bitcast<u32>(4u))) + bitcast<i32>(_e24706));
 let _e24709 = (_e24708 <= select(-1i, (_e24664 - select(0i, 1i, (_e24657 < f32(_e24664)))), (_e24616 <= _e11996)));
 if _e24709 {
@@ -2525,11 +2537,11 @@ let _e24746 = select(_e24700, _e24744, (_e24744 < _e24700));
 let _e24749 = (_e24742 - _e24700);
 let _e24753 = (((_e24746 * (_e24746 * _e24703)) + select(0f, _e24749, (_e24749 > 0f))) * _e24704);
 if _e487 {
-phi_6525_ = type_25(_e24708, _e24616);
+phi_6526_ = type_26(_e24708, _e24616);
 } else {
-phi_6525_ = type_25(_e24616, _e24708);
+phi_6526_ = type_26(_e24616, _e24708);
 }
-let _e24762 = phi_6525_;
+let _e24762 = phi_6526_;
 let _e24766 = bitcast<i32>((_e11943 * _e11946));
 local_214 = _e24766;
 local_215 = ((_e24762.member_1 * _e11947) + _e24762.member);
@@ -2610,11 +2622,11 @@ let _e24987 = global_2.member[bitcast<u32>(select(0i, _e24982, (_e24982 > 0i)))]
 let _e24989 = (_e24977 + (_e24973 + 1i));
 let _e24991 = select(_e24980, _e24989, (_e24989 < _e24980));
 let _e24996 = global_2.member[bitcast<u32>(select(0i, _e24991, (_e24991 > 0i)))];
-phi_6952_ = (_e24987 + ((_e24996 - _e24987) * (_e24957 - f32(_e24973))));
+phi_6953_ = (_e24987 + ((_e24996 - _e24987) * (_e24957 - f32(_e24973))));
 } else {
-phi_6952_ = select(((1f - _e24928) / (_e24934 * sqrt(select(0f, _e24934, (_e24934 > 0f))))), (0.75f * (1f + (_e24924 * _e24924))), (_e24946 == 1u));
+phi_6953_ = select(((1f - _e24928) / (_e24934 * sqrt(select(0f, _e24934, (_e24934 > 0f))))), (0.75f * (1f + (_e24924 * _e24924))), (_e24946 == 1u));
 }
-let _e25003 = phi_6952_;
+let _e25003 = phi_6953_;
 let _e25015 = global_1.member.member_13.member_7;
 let _e25016 = bitcast<i32>(_e25015);
 let _e25019 = global_1.member.member_13.member_8;
@@ -2656,29 +2668,29 @@ local_212 = (_e25047 - f32(_e25084));
 let _e25121 = (_e25084 + 1i);
 let _e25123 = select(_e25121, 0i, (_e25121 < 0i));
 if (_e25123 >= _e25016) {
-phi_7084_ = (_e25016 - 1i);
+phi_7085_ = (_e25016 - 1i);
 } else {
-phi_7084_ = _e25123;
+phi_7085_ = _e25123;
 }
-let _e25127 = phi_7084_;
+let _e25127 = phi_7085_;
 local_213 = (_e25127 - _e25084);
 let _e25129 = (_e25099 + 1i);
 let _e25131 = select(_e25129, 0i, (_e25129 < 0i));
 if (_e25131 >= _e25020) {
-phi_7097_ = (_e25020 - 1i);
+phi_7098_ = (_e25020 - 1i);
 } else {
-phi_7097_ = _e25131;
+phi_7098_ = _e25131;
 }
-let _e25135 = phi_7097_;
+let _e25135 = phi_7098_;
 let _e25137 = ((_e25135 - _e25099) * _e25016);
 let _e25138 = (_e25114 + 1i);
 let _e25140 = select(_e25138, 0i, (_e25138 < 0i));
 if (_e25140 >= _e25024) {
-phi_7111_ = (_e25024 - 1i);
+phi_7112_ = (_e25024 - 1i);
 } else {
-phi_7111_ = _e25140;
+phi_7112_ = _e25140;
 }
-let _e25144 = phi_7111_;
+let _e25144 = phi_7112_;
 let _e25150 = global_1.member.member_13.member_10;
 let _e25156 = ((bitcast<i32>(_e25150) + (((_e25114 * _e25020) + _e25099) * _e25016)) + _e25084);
 let _e25158 = (bitcast<i32>(_e299) - 1i);
@@ -2745,11 +2757,11 @@ let _e25313 = ((_e25308 + ((_e25305 - 1i) * _e25309)) + _e25312);
 let _e25315 = (bitcast<i32>(_e302) - 1i);
 let _e25317 = select(_e25315, _e25313, (_e25313 < _e25315));
 let _e25322 = global_7.member[bitcast<u32>(select(0i, _e25317, (_e25317 > 0i)))];
-phi_7415_ = _e25322;
+phi_7416_ = _e25322;
 } else {
-phi_7415_ = 0f;
+phi_7416_ = 0f;
 }
-let _e25324 = phi_7415_;
+let _e25324 = phi_7416_;
 let _e25325 = local_209;
 let _e25326 = local_211;
 let _e25329 = local_210;
@@ -2775,11 +2787,11 @@ let _e25376 = local_207;
 let _e25377 = ((_e25372 + ((_e25369 - 1i) * _e25373)) + _e25376);
 let _e25379 = select(_e25332, _e25377, (_e25377 < _e25332));
 let _e25384 = global_7.member[bitcast<u32>(select(0i, _e25379, (_e25379 > 0i)))];
-phi_7542_ = _e25384;
+phi_7543_ = _e25384;
 } else {
-phi_7542_ = 0f;
+phi_7543_ = 0f;
 }
-let _e25386 = phi_7542_;
+let _e25386 = phi_7543_;
 let _e25387 = local_206;
 let _e25388 = local_208;
 let _e25391 = local_207;
@@ -2821,11 +2833,11 @@ let _e25535 = ((_e25513 - (_e25531 * 0.6933594f)) - (_e25531 * -2.1219444e-4f));
 let _e25558 = global_1.member.member_13.member_1;
 let _e25571 = select(0f, _e24915, (((_e24918 >= 0f) && (_e24918 < _e725)) && (_e24915 > 0f)));
 if _e487 {
-phi_7806_ = type_25(_e24708, _e24616);
+phi_7807_ = type_26(_e24708, _e24616);
 } else {
-phi_7806_ = type_25(_e24616, _e24708);
+phi_7807_ = type_26(_e24616, _e24708);
 }
-let _e25582 = phi_7806_;
+let _e25582 = phi_7807_;
 let _e25585 = (_e24709 && (((_e25571 > 0f) && (_e25571 < _e24799)) && true));
 let _e25588 = global_1.member.member_18.member;
 let _e25589 = (((select(_e24734, (1f - _e24734), (_e24719 >= 0f)) - select(_e24753, (1f - _e24753), (_e24738 >= 0f))) * (1f / _e24716)) * _e25588);
@@ -2866,11 +2878,11 @@ if ((_e25623 | _e25630) == 0u) {
 let _e25706 = bitcast<u32>(_e25703);
 if (_e25706 < _e304) {
 let _e25710 = atomicAdd((&global_8.member[_e25706]), _e25623);
-phi_8039_ = _e25710;
+phi_8040_ = _e25710;
 } else {
-phi_8039_ = 0u;
+phi_8040_ = 0u;
 }
-let _e25712 = phi_8039_;
+let _e25712 = phi_8040_;
 let _e25716 = (_e25630 + select(0u, 1u, ((_e25712 + _e25623) < _e25623)));
 if (_e25716 == 0u) {
 } else {
@@ -2885,11 +2897,11 @@ if ((_e25657 | _e25664) == 0u) {
 let _e25726 = bitcast<u32>((_e25703 + 2i));
 if (_e25726 < _e304) {
 let _e25730 = atomicAdd((&global_8.member[_e25726]), _e25657);
-phi_8069_ = _e25730;
+phi_8070_ = _e25730;
 } else {
-phi_8069_ = 0u;
+phi_8070_ = 0u;
 }
-let _e25732 = phi_8069_;
+let _e25732 = phi_8070_;
 let _e25736 = (_e25664 + select(0u, 1u, ((_e25732 + _e25657) < _e25657)));
 if (_e25736 == 0u) {
 } else {
@@ -2904,11 +2916,11 @@ if ((_e25691 | _e25698) == 0u) {
 let _e25746 = bitcast<u32>((_e25703 + 4i));
 if (_e25746 < _e304) {
 let _e25750 = atomicAdd((&global_8.member[_e25746]), _e25691);
-phi_8099_ = _e25750;
+phi_8100_ = _e25750;
 } else {
-phi_8099_ = 0u;
+phi_8100_ = 0u;
 }
-let _e25752 = phi_8099_;
+let _e25752 = phi_8100_;
 let _e25756 = (_e25698 + select(0u, 1u, ((_e25752 + _e25691) < _e25691)));
 if (_e25756 == 0u) {
 } else {
@@ -2918,33 +2930,33 @@ let _e25762 = atomicAdd((&global_8.member[_e25758]), _e25756);
 }
 }
 }
-phi_6421_ = (_e24706 + 1i);
+phi_6422_ = (_e24706 + 1i);
 } else {
-phi_6421_ = i32();
+phi_6422_ = i32();
 }
-let _e25765 = phi_6421_;
+let _e25765 = phi_6422_;
 continue;
 continuing {
-phi_6420_ = _e25765;
+phi_6421_ = _e25765;
 break if !(_e24709);
 }
 }
-phi_6267_ = (_e24613 + 1i);
+phi_6268_ = (_e24613 + 1i);
 } else {
-phi_6267_ = i32();
+phi_6268_ = i32();
 }
-let _e25769 = phi_6267_;
+let _e25769 = phi_6268_;
 continue;
 continuing {
-phi_6266_ = _e25769;
+phi_6267_ = _e25769;
 break if !(_e24614);
 }
 }
 } else {
 if (_e19568 == 1u) {
-phi_8148_ = 0i;
+phi_8149_ = 0i;
 loop {
-let _e22762 = phi_8148_;
+let _e22762 = phi_8149_;
 let _e22763 = (_e22762 < 16i);
 if _e22763 {
 let _e22765 = (_e11992 + (_e22762 & 15i));
@@ -2974,9 +2986,9 @@ let _e22849 = select(_e22841, _e22847, (_e22847 > _e22841));
 let _e22851 = (0.5f * (_e22845 + _e22849));
 let _e22852 = (0.5f / _e22849);
 let _e22853 = (1f / _e22845);
-phi_8302_ = 0i;
+phi_8303_ = 0i;
 loop {
-let _e22855 = phi_8302_;
+let _e22855 = phi_8303_;
 let _e22857 = (((_e22830 - select(0i, 1i, (_e22823 < f32(_e22830)))) + (_e22762 >> bitcast<u32>(4u))) + bitcast<i32>(_e22855));
 let _e22858 = (_e22857 <= select(-1i, (_e22813 - select(0i, 1i, (_e22806 < f32(_e22813)))), (_e22765 <= _e11996)));
 if _e22858 {
@@ -2999,11 +3011,11 @@ let _e22895 = select(_e22849, _e22893, (_e22893 < _e22849));
 let _e22898 = (_e22891 - _e22849);
 let _e22902 = (((_e22895 * (_e22895 * _e22852)) + select(0f, _e22898, (_e22898 > 0f))) * _e22853);
 if _e487 {
-phi_8407_ = type_25(_e22857, _e22765);
+phi_8408_ = type_26(_e22857, _e22765);
 } else {
-phi_8407_ = type_25(_e22765, _e22857);
+phi_8408_ = type_26(_e22765, _e22857);
 }
-let _e22911 = phi_8407_;
+let _e22911 = phi_8408_;
 let _e22915 = bitcast<i32>((_e11943 * _e11946));
 local_204 = _e22915;
 local_205 = ((_e22911.member_1 * _e11947) + _e22911.member);
@@ -3086,11 +3098,11 @@ let _e23136 = global_2.member[bitcast<u32>(select(0i, _e23131, (_e23131 > 0i)))]
 let _e23138 = (_e23126 + (_e23122 + 1i));
 let _e23140 = select(_e23129, _e23138, (_e23138 < _e23129));
 let _e23145 = global_2.member[bitcast<u32>(select(0i, _e23140, (_e23140 > 0i)))];
-phi_8834_ = (_e23136 + ((_e23145 - _e23136) * (_e23106 - f32(_e23122))));
+phi_8835_ = (_e23136 + ((_e23145 - _e23136) * (_e23106 - f32(_e23122))));
 } else {
-phi_8834_ = select(((1f - _e23077) / (_e23083 * sqrt(select(0f, _e23083, (_e23083 > 0f))))), (0.75f * (1f + (_e23073 * _e23073))), (_e23095 == 1u));
+phi_8835_ = select(((1f - _e23077) / (_e23083 * sqrt(select(0f, _e23083, (_e23083 > 0f))))), (0.75f * (1f + (_e23073 * _e23073))), (_e23095 == 1u));
 }
-let _e23152 = phi_8834_;
+let _e23152 = phi_8835_;
 let _e23164 = global_1.member.member_13.member_7;
 let _e23165 = bitcast<i32>(_e23164);
 let _e23168 = global_1.member.member_13.member_8;
@@ -3132,29 +3144,29 @@ local_202 = (_e23196 - f32(_e23233));
 let _e23270 = (_e23233 + 1i);
 let _e23272 = select(_e23270, 0i, (_e23270 < 0i));
 if (_e23272 >= _e23165) {
-phi_8966_ = (_e23165 - 1i);
+phi_8967_ = (_e23165 - 1i);
 } else {
-phi_8966_ = _e23272;
+phi_8967_ = _e23272;
 }
-let _e23276 = phi_8966_;
+let _e23276 = phi_8967_;
 local_203 = (_e23276 - _e23233);
 let _e23278 = (_e23248 + 1i);
 let _e23280 = select(_e23278, 0i, (_e23278 < 0i));
 if (_e23280 >= _e23169) {
-phi_8979_ = (_e23169 - 1i);
+phi_8980_ = (_e23169 - 1i);
 } else {
-phi_8979_ = _e23280;
+phi_8980_ = _e23280;
 }
-let _e23284 = phi_8979_;
+let _e23284 = phi_8980_;
 let _e23286 = ((_e23284 - _e23248) * _e23165);
 let _e23287 = (_e23263 + 1i);
 let _e23289 = select(_e23287, 0i, (_e23287 < 0i));
 if (_e23289 >= _e23173) {
-phi_8993_ = (_e23173 - 1i);
+phi_8994_ = (_e23173 - 1i);
 } else {
-phi_8993_ = _e23289;
+phi_8994_ = _e23289;
 }
-let _e23293 = phi_8993_;
+let _e23293 = phi_8994_;
 let _e23299 = global_1.member.member_13.member_10;
 let _e23305 = ((bitcast<i32>(_e23299) + (((_e23263 * _e23169) + _e23248) * _e23165)) + _e23233);
 let _e23307 = (bitcast<i32>(_e299) - 1i);
@@ -3221,11 +3233,11 @@ let _e23462 = ((_e23457 + ((_e23454 - 1i) * _e23458)) + _e23461);
 let _e23464 = (bitcast<i32>(_e302) - 1i);
 let _e23466 = select(_e23464, _e23462, (_e23462 < _e23464));
 let _e23471 = global_7.member[bitcast<u32>(select(0i, _e23466, (_e23466 > 0i)))];
-phi_9297_ = _e23471;
+phi_9298_ = _e23471;
 } else {
-phi_9297_ = 0f;
+phi_9298_ = 0f;
 }
-let _e23473 = phi_9297_;
+let _e23473 = phi_9298_;
 let _e23474 = local_199;
 let _e23475 = local_201;
 let _e23478 = local_200;
@@ -3251,11 +3263,11 @@ let _e23525 = local_197;
 let _e23526 = ((_e23521 + ((_e23518 - 1i) * _e23522)) + _e23525);
 let _e23528 = select(_e23481, _e23526, (_e23526 < _e23481));
 let _e23533 = global_7.member[bitcast<u32>(select(0i, _e23528, (_e23528 > 0i)))];
-phi_9424_ = _e23533;
+phi_9425_ = _e23533;
 } else {
-phi_9424_ = 0f;
+phi_9425_ = 0f;
 }
-let _e23535 = phi_9424_;
+let _e23535 = phi_9425_;
 let _e23536 = local_196;
 let _e23537 = local_198;
 let _e23540 = local_197;
@@ -3302,11 +3314,11 @@ let _e23725 = (1u << bitcast<u32>(_e23723));
 let _e23734 = bitcast<i32>((((_e11943 + _e23725) - 1u) >> bitcast<u32>(_e23723)));
 let _e23735 = bitcast<i32>((((_e11946 + _e23725) - 1u) >> bitcast<u32>(_e23723)));
 if _e487 {
-phi_9714_ = type_25(_e23735, _e23734);
+phi_9715_ = type_26(_e23735, _e23734);
 } else {
-phi_9714_ = type_25(_e23734, _e23735);
+phi_9715_ = type_26(_e23734, _e23735);
 }
-let _e23739 = phi_9714_;
+let _e23739 = phi_9715_;
 let _e23744 = f32((1i << bitcast<u32>(_e23723)));
 let _e23745 = (1f / _e23744);
 let _e23747 = ((_e22767 * _e23745) - 0.5f);
@@ -3326,50 +3338,50 @@ let _e23785 = (1f - _e23783);
 let _e23788 = select(_e23764, 0i, (_e23764 < 0i));
 let _e23789 = (_e23788 >= _e23739.member);
 if _e23789 {
-phi_9792_ = (_e23739.member - 1i);
+phi_9793_ = (_e23739.member - 1i);
 } else {
-phi_9792_ = _e23788;
+phi_9793_ = _e23788;
 }
-let _e23792 = phi_9792_;
+let _e23792 = phi_9793_;
 let _e23794 = select(_e23779, 0i, (_e23779 < 0i));
 let _e23795 = (_e23794 >= _e23739.member_1);
 if _e23795 {
-phi_9803_ = (_e23739.member_1 - 1i);
+phi_9804_ = (_e23739.member_1 - 1i);
 } else {
-phi_9803_ = _e23794;
+phi_9804_ = _e23794;
 }
-let _e23798 = phi_9803_;
+let _e23798 = phi_9804_;
 let _e23802 = (((f32(_e23792) + 0.5f) * _e23744) - 0.5f);
 let _e23806 = (((f32(_e23798) + 0.5f) * _e23744) - 0.5f);
 if _e487 {
-phi_9831_ = type_25(_e23798, _e23792);
+phi_9832_ = type_26(_e23798, _e23792);
 } else {
-phi_9831_ = type_25(_e23792, _e23798);
+phi_9832_ = type_26(_e23792, _e23798);
 }
-let _e23812 = phi_9831_;
+let _e23812 = phi_9832_;
 let _e23818 = bitcast<i32>(((_e11943 + 1u) >> bitcast<u32>(1u)));
 let _e23821 = global_1.member.member_18.member_6;
 let _e23824 = global_1.member.member_18.member_7;
 let _e23827 = global_1.member.member_18.member_8;
 let _e23828 = (_e23722 == 0u);
 if _e23828 {
-phi_9882_ = 0u;
+phi_9883_ = 0u;
 } else {
 if (_e23722 == 1u) {
-phi_9881_ = 0u;
+phi_9882_ = 0u;
 } else {
 if (_e23722 == 2u) {
-phi_9880_ = _e23821;
+phi_9881_ = _e23821;
 } else {
-phi_9880_ = select(_e23827, _e23824, (_e23722 == 3u));
+phi_9881_ = select(_e23827, _e23824, (_e23722 == 3u));
 }
-let _e23834 = phi_9880_;
-phi_9881_ = _e23834;
+let _e23834 = phi_9881_;
+phi_9882_ = _e23834;
 }
-let _e23836 = phi_9881_;
-phi_9882_ = _e23836;
+let _e23836 = phi_9882_;
+phi_9883_ = _e23836;
 }
-let _e23838 = phi_9882_;
+let _e23838 = phi_9883_;
 local_194 = (((bitcast<i32>(_e23838) + _e23812.member_1) * _e23818) + _e23812.member);
 let _e23843 = local_194;
 let _e23845 = (bitcast<i32>(_e296) - 1i);
@@ -3407,43 +3419,43 @@ let _e23956 = (_e23764 + 1i);
 let _e23959 = select(_e23956, 0i, (_e23956 < 0i));
 let _e23960 = (_e23959 >= _e23739.member);
 if _e23960 {
-phi_10866_ = (_e23739.member - 1i);
+phi_10867_ = (_e23739.member - 1i);
 } else {
-phi_10866_ = _e23959;
+phi_10867_ = _e23959;
 }
-let _e23963 = phi_10866_;
+let _e23963 = phi_10867_;
 if _e23795 {
-phi_10877_ = (_e23739.member_1 - 1i);
+phi_10878_ = (_e23739.member_1 - 1i);
 } else {
-phi_10877_ = _e23794;
+phi_10878_ = _e23794;
 }
-let _e23966 = phi_10877_;
+let _e23966 = phi_10878_;
 let _e23970 = (((f32(_e23963) + 0.5f) * _e23744) - 0.5f);
 let _e23974 = (((f32(_e23966) + 0.5f) * _e23744) - 0.5f);
 if _e487 {
-phi_10905_ = type_25(_e23966, _e23963);
+phi_10906_ = type_26(_e23966, _e23963);
 } else {
-phi_10905_ = type_25(_e23963, _e23966);
+phi_10906_ = type_26(_e23963, _e23966);
 }
-let _e23980 = phi_10905_;
+let _e23980 = phi_10906_;
 if _e23828 {
-phi_10956_ = 0u;
+phi_10957_ = 0u;
 } else {
 if (_e23722 == 1u) {
-phi_10955_ = 0u;
+phi_10956_ = 0u;
 } else {
 if (_e23722 == 2u) {
-phi_10954_ = _e23821;
+phi_10955_ = _e23821;
 } else {
-phi_10954_ = select(_e23827, _e23824, (_e23722 == 3u));
+phi_10955_ = select(_e23827, _e23824, (_e23722 == 3u));
 }
-let _e23988 = phi_10954_;
-phi_10955_ = _e23988;
+let _e23988 = phi_10955_;
+phi_10956_ = _e23988;
 }
-let _e23990 = phi_10955_;
-phi_10956_ = _e23990;
+let _e23990 = phi_10956_;
+phi_10957_ = _e23990;
 }
-let _e23992 = phi_10956_;
+let _e23992 = phi_10957_;
 local_192 = (((bitcast<i32>(_e23992) + _e23980.member_1) * _e23818) + _e23980.member);
 let _e23997 = local_192;
 let _e23999 = select(_e23845, _e23997, (_e23997 < _e23845));
@@ -3478,45 +3490,45 @@ let _e24094 = select(0f, _e24085, (((_e24088 >= 0f) && (_e24088 < _e725)) && (_e
 let _e24096 = (_e23963 << bitcast<u32>(_e23723));
 let _e24108 = (_e23779 + 1i);
 if _e23789 {
-phi_11940_ = (_e23739.member - 1i);
+phi_11941_ = (_e23739.member - 1i);
 } else {
-phi_11940_ = _e23788;
+phi_11941_ = _e23788;
 }
-let _e24112 = phi_11940_;
+let _e24112 = phi_11941_;
 let _e24114 = select(_e24108, 0i, (_e24108 < 0i));
 let _e24115 = (_e24114 >= _e23739.member_1);
 if _e24115 {
-phi_11951_ = (_e23739.member_1 - 1i);
+phi_11952_ = (_e23739.member_1 - 1i);
 } else {
-phi_11951_ = _e24114;
+phi_11952_ = _e24114;
 }
-let _e24118 = phi_11951_;
+let _e24118 = phi_11952_;
 let _e24122 = (((f32(_e24112) + 0.5f) * _e23744) - 0.5f);
 let _e24126 = (((f32(_e24118) + 0.5f) * _e23744) - 0.5f);
 if _e487 {
-phi_11979_ = type_25(_e24118, _e24112);
+phi_11980_ = type_26(_e24118, _e24112);
 } else {
-phi_11979_ = type_25(_e24112, _e24118);
+phi_11980_ = type_26(_e24112, _e24118);
 }
-let _e24132 = phi_11979_;
+let _e24132 = phi_11980_;
 if _e23828 {
-phi_12030_ = 0u;
+phi_12031_ = 0u;
 } else {
 if (_e23722 == 1u) {
-phi_12029_ = 0u;
+phi_12030_ = 0u;
 } else {
 if (_e23722 == 2u) {
-phi_12028_ = _e23821;
+phi_12029_ = _e23821;
 } else {
-phi_12028_ = select(_e23827, _e23824, (_e23722 == 3u));
+phi_12029_ = select(_e23827, _e23824, (_e23722 == 3u));
 }
-let _e24140 = phi_12028_;
-phi_12029_ = _e24140;
+let _e24140 = phi_12029_;
+phi_12030_ = _e24140;
 }
-let _e24142 = phi_12029_;
-phi_12030_ = _e24142;
+let _e24142 = phi_12030_;
+phi_12031_ = _e24142;
 }
-let _e24144 = phi_12030_;
+let _e24144 = phi_12031_;
 local_190 = (((bitcast<i32>(_e24144) + _e24132.member_1) * _e23818) + _e24132.member);
 let _e24149 = local_190;
 let _e24151 = select(_e23845, _e24149, (_e24149 < _e23845));
@@ -3550,43 +3562,43 @@ let _e24240 = (((_e24217 * _e24207) - _e24212) * _e24234);
 let _e24246 = select(0f, _e24237, (((_e24240 >= 0f) && (_e24240 < _e725)) && (_e24237 > 0f)));
 let _e24248 = (_e24112 << bitcast<u32>(_e23723));
 if _e23960 {
-phi_13014_ = (_e23739.member - 1i);
+phi_13015_ = (_e23739.member - 1i);
 } else {
-phi_13014_ = _e23959;
+phi_13015_ = _e23959;
 }
-let _e24263 = phi_13014_;
+let _e24263 = phi_13015_;
 if _e24115 {
-phi_13025_ = (_e23739.member_1 - 1i);
+phi_13026_ = (_e23739.member_1 - 1i);
 } else {
-phi_13025_ = _e24114;
+phi_13026_ = _e24114;
 }
-let _e24266 = phi_13025_;
+let _e24266 = phi_13026_;
 let _e24270 = (((f32(_e24263) + 0.5f) * _e23744) - 0.5f);
 let _e24274 = (((f32(_e24266) + 0.5f) * _e23744) - 0.5f);
 if _e487 {
-phi_13053_ = type_25(_e24266, _e24263);
+phi_13054_ = type_26(_e24266, _e24263);
 } else {
-phi_13053_ = type_25(_e24263, _e24266);
+phi_13054_ = type_26(_e24263, _e24266);
 }
-let _e24280 = phi_13053_;
+let _e24280 = phi_13054_;
 if _e23828 {
-phi_13104_ = 0u;
+phi_13105_ = 0u;
 } else {
 if (_e23722 == 1u) {
-phi_13103_ = 0u;
+phi_13104_ = 0u;
 } else {
 if (_e23722 == 2u) {
-phi_13102_ = _e23821;
+phi_13103_ = _e23821;
 } else {
-phi_13102_ = select(_e23827, _e23824, (_e23722 == 3u));
+phi_13103_ = select(_e23827, _e23824, (_e23722 == 3u));
 }
-let _e24288 = phi_13102_;
-phi_13103_ = _e24288;
+let _e24288 = phi_13103_;
+phi_13104_ = _e24288;
 }
-let _e24290 = phi_13103_;
-phi_13104_ = _e24290;
+let _e24290 = phi_13104_;
+phi_13105_ = _e24290;
 }
-let _e24292 = phi_13104_;
+let _e24292 = phi_13105_;
 local_188 = (((bitcast<i32>(_e24292) + _e24280.member_1) * _e23818) + _e24280.member);
 let _e24297 = local_188;
 let _e24299 = select(_e23845, _e24297, (_e24297 < _e23845));
@@ -3621,11 +3633,11 @@ let _e24394 = select(0f, _e24385, (((_e24388 >= 0f) && (_e24388 < _e725)) && (_e
 let _e24396 = (_e24263 << bitcast<u32>(_e23723));
 let _e24408 = select(((((1f - select(0f, (_e23784 * _e23785), (((select(select(_e800, _e957, (_e23944 >= _e726)), _e879, (_e23944 < _e332)) == _e23722) && (_e23942 > 0f)) && (_e23942 < _e23852)))) - select(0f, (_e23781 * _e23785), (((select(select(_e800, _e957, (_e24096 >= _e726)), _e879, (_e24096 < _e332)) == _e23722) && (_e24094 > 0f)) && (_e24094 < _e24004)))) - select(0f, (_e23784 * _e23783), (((select(select(_e800, _e957, (_e24248 >= _e726)), _e879, (_e24248 < _e332)) == _e23722) && (_e24246 > 0f)) && (_e24246 < _e24156)))) - select(0f, (_e23781 * _e23783), (((select(select(_e800, _e957, (_e24396 >= _e726)), _e879, (_e24396 < _e332)) == _e23722) && (_e24394 > 0f)) && (_e24394 < _e24304)))), 1f, _e23828);
 if _e487 {
-phi_14097_ = type_25(_e22857, _e22765);
+phi_14098_ = type_26(_e22857, _e22765);
 } else {
-phi_14097_ = type_25(_e22765, _e22857);
+phi_14098_ = type_26(_e22765, _e22857);
 }
-let _e24423 = phi_14097_;
+let _e24423 = phi_14098_;
 let _e24426 = (_e22858 && (((_e23720 > 0f) && (_e23720 < _e22948)) && (bitcast<f32>((bitcast<u32>(_e24408) & 2147483647u)) > 1e-6f)));
 let _e24429 = global_1.member.member_18.member;
 let _e24430 = (((select(_e22883, (1f - _e22883), (_e22868 >= 0f)) - select(_e22902, (1f - _e22902), (_e22887 >= 0f))) * (1f / _e22865)) * _e24429);
@@ -3666,11 +3678,11 @@ if ((_e24464 | _e24471) == 0u) {
 let _e24547 = bitcast<u32>(_e24544);
 if (_e24547 < _e304) {
 let _e24551 = atomicAdd((&global_8.member[_e24547]), _e24464);
-phi_14330_ = _e24551;
+phi_14331_ = _e24551;
 } else {
-phi_14330_ = 0u;
+phi_14331_ = 0u;
 }
-let _e24553 = phi_14330_;
+let _e24553 = phi_14331_;
 let _e24557 = (_e24471 + select(0u, 1u, ((_e24553 + _e24464) < _e24464)));
 if (_e24557 == 0u) {
 } else {
@@ -3685,11 +3697,11 @@ if ((_e24498 | _e24505) == 0u) {
 let _e24567 = bitcast<u32>((_e24544 + 2i));
 if (_e24567 < _e304) {
 let _e24571 = atomicAdd((&global_8.member[_e24567]), _e24498);
-phi_14360_ = _e24571;
+phi_14361_ = _e24571;
 } else {
-phi_14360_ = 0u;
+phi_14361_ = 0u;
 }
-let _e24573 = phi_14360_;
+let _e24573 = phi_14361_;
 let _e24577 = (_e24505 + select(0u, 1u, ((_e24573 + _e24498) < _e24498)));
 if (_e24577 == 0u) {
 } else {
@@ -3704,11 +3716,11 @@ if ((_e24532 | _e24539) == 0u) {
 let _e24587 = bitcast<u32>((_e24544 + 4i));
 if (_e24587 < _e304) {
 let _e24591 = atomicAdd((&global_8.member[_e24587]), _e24532);
-phi_14390_ = _e24591;
+phi_14391_ = _e24591;
 } else {
-phi_14390_ = 0u;
+phi_14391_ = 0u;
 }
-let _e24593 = phi_14390_;
+let _e24593 = phi_14391_;
 let _e24597 = (_e24539 + select(0u, 1u, ((_e24593 + _e24532) < _e24532)));
 if (_e24597 == 0u) {
 } else {
@@ -3718,32 +3730,32 @@ let _e24603 = atomicAdd((&global_8.member[_e24599]), _e24597);
 }
 }
 }
-phi_8303_ = (_e22855 + 1i);
+phi_8304_ = (_e22855 + 1i);
 } else {
-phi_8303_ = i32();
+phi_8304_ = i32();
 }
-let _e24606 = phi_8303_;
+let _e24606 = phi_8304_;
 continue;
 continuing {
-phi_8302_ = _e24606;
+phi_8303_ = _e24606;
 break if !(_e22858);
 }
 }
-phi_8149_ = (_e22762 + 1i);
+phi_8150_ = (_e22762 + 1i);
 } else {
-phi_8149_ = i32();
+phi_8150_ = i32();
 }
-let _e24610 = phi_8149_;
+let _e24610 = phi_8150_;
 continue;
 continuing {
-phi_8148_ = _e24610;
+phi_8149_ = _e24610;
 break if !(_e22763);
 }
 }
 } else {
-phi_14435_ = 0i;
+phi_14436_ = 0i;
 loop {
-let _e19572 = phi_14435_;
+let _e19572 = phi_14436_;
 let _e19573 = (_e19572 < 16i);
 if _e19573 {
 let _e19575 = (_e11992 + (_e19572 & 15i));
@@ -3773,9 +3785,9 @@ let _e19659 = select(_e19651, _e19657, (_e19657 > _e19651));
 let _e19661 = (0.5f * (_e19655 + _e19659));
 let _e19662 = (0.5f / _e19659);
 let _e19663 = (1f / _e19655);
-phi_14589_ = 0i;
+phi_14590_ = 0i;
 loop {
-let _e19665 = phi_14589_;
+let _e19665 = phi_14590_;
 let _e19667 = (((_e19640 - select(0i, 1i, (_e19633 < f32(_e19640)))) + (_e19572 >> bitcast<u32>(4u))) + bitcast<i32>(_e19665));
 let _e19668 = (_e19667 <= select(-1i, (_e19623 - select(0i, 1i, (_e19616 < f32(_e19623)))), (_e19575 <= _e11996)));
 if _e19668 {
@@ -3798,11 +3810,11 @@ let _e19705 = select(_e19659, _e19703, (_e19703 < _e19659));
 let _e19708 = (_e19701 - _e19659);
 let _e19712 = (((_e19705 * (_e19705 * _e19662)) + select(0f, _e19708, (_e19708 > 0f))) * _e19663);
 if _e487 {
-phi_14694_ = type_25(_e19667, _e19575);
+phi_14695_ = type_26(_e19667, _e19575);
 } else {
-phi_14694_ = type_25(_e19575, _e19667);
+phi_14695_ = type_26(_e19575, _e19667);
 }
-let _e19721 = phi_14694_;
+let _e19721 = phi_14695_;
 let _e19725 = bitcast<i32>((_e11943 * _e11946));
 local_186 = _e19725;
 local_187 = ((_e19721.member_1 * _e11947) + _e19721.member);
@@ -3885,11 +3897,11 @@ let _e19946 = global_2.member[bitcast<u32>(select(0i, _e19941, (_e19941 > 0i)))]
 let _e19948 = (_e19936 + (_e19932 + 1i));
 let _e19950 = select(_e19939, _e19948, (_e19948 < _e19939));
 let _e19955 = global_2.member[bitcast<u32>(select(0i, _e19950, (_e19950 > 0i)))];
-phi_15121_ = (_e19946 + ((_e19955 - _e19946) * (_e19916 - f32(_e19932))));
+phi_15122_ = (_e19946 + ((_e19955 - _e19946) * (_e19916 - f32(_e19932))));
 } else {
-phi_15121_ = select(((1f - _e19887) / (_e19893 * sqrt(select(0f, _e19893, (_e19893 > 0f))))), (0.75f * (1f + (_e19883 * _e19883))), (_e19905 == 1u));
+phi_15122_ = select(((1f - _e19887) / (_e19893 * sqrt(select(0f, _e19893, (_e19893 > 0f))))), (0.75f * (1f + (_e19883 * _e19883))), (_e19905 == 1u));
 }
-let _e19962 = phi_15121_;
+let _e19962 = phi_15122_;
 let _e19974 = global_1.member.member_13.member_7;
 let _e19975 = bitcast<i32>(_e19974);
 let _e19978 = global_1.member.member_13.member_8;
@@ -3931,29 +3943,29 @@ local_184 = (_e20006 - f32(_e20043));
 let _e20080 = (_e20043 + 1i);
 let _e20082 = select(_e20080, 0i, (_e20080 < 0i));
 if (_e20082 >= _e19975) {
-phi_15253_ = (_e19975 - 1i);
+phi_15254_ = (_e19975 - 1i);
 } else {
-phi_15253_ = _e20082;
+phi_15254_ = _e20082;
 }
-let _e20086 = phi_15253_;
+let _e20086 = phi_15254_;
 local_185 = (_e20086 - _e20043);
 let _e20088 = (_e20058 + 1i);
 let _e20090 = select(_e20088, 0i, (_e20088 < 0i));
 if (_e20090 >= _e19979) {
-phi_15266_ = (_e19979 - 1i);
+phi_15267_ = (_e19979 - 1i);
 } else {
-phi_15266_ = _e20090;
+phi_15267_ = _e20090;
 }
-let _e20094 = phi_15266_;
+let _e20094 = phi_15267_;
 let _e20096 = ((_e20094 - _e20058) * _e19975);
 let _e20097 = (_e20073 + 1i);
 let _e20099 = select(_e20097, 0i, (_e20097 < 0i));
 if (_e20099 >= _e19983) {
-phi_15280_ = (_e19983 - 1i);
+phi_15281_ = (_e19983 - 1i);
 } else {
-phi_15280_ = _e20099;
+phi_15281_ = _e20099;
 }
-let _e20103 = phi_15280_;
+let _e20103 = phi_15281_;
 let _e20109 = global_1.member.member_13.member_10;
 let _e20115 = ((bitcast<i32>(_e20109) + (((_e20073 * _e19979) + _e20058) * _e19975)) + _e20043);
 let _e20117 = (bitcast<i32>(_e299) - 1i);
@@ -4020,11 +4032,11 @@ let _e20272 = ((_e20267 + ((_e20264 - 1i) * _e20268)) + _e20271);
 let _e20274 = (bitcast<i32>(_e302) - 1i);
 let _e20276 = select(_e20274, _e20272, (_e20272 < _e20274));
 let _e20281 = global_7.member[bitcast<u32>(select(0i, _e20276, (_e20276 > 0i)))];
-phi_15584_ = _e20281;
+phi_15585_ = _e20281;
 } else {
-phi_15584_ = 0f;
+phi_15585_ = 0f;
 }
-let _e20283 = phi_15584_;
+let _e20283 = phi_15585_;
 let _e20284 = local_181;
 let _e20285 = local_183;
 let _e20288 = local_182;
@@ -4050,11 +4062,11 @@ let _e20335 = local_179;
 let _e20336 = ((_e20331 + ((_e20328 - 1i) * _e20332)) + _e20335);
 let _e20338 = select(_e20291, _e20336, (_e20336 < _e20291));
 let _e20343 = global_7.member[bitcast<u32>(select(0i, _e20338, (_e20338 > 0i)))];
-phi_15711_ = _e20343;
+phi_15712_ = _e20343;
 } else {
-phi_15711_ = 0f;
+phi_15712_ = 0f;
 }
-let _e20345 = phi_15711_;
+let _e20345 = phi_15712_;
 let _e20346 = local_178;
 let _e20347 = local_180;
 let _e20350 = local_179;
@@ -4100,11 +4112,11 @@ let _e20533 = (1u << bitcast<u32>(_e20531));
 let _e20542 = bitcast<i32>((((_e11943 + _e20533) - 1u) >> bitcast<u32>(_e20531)));
 let _e20543 = bitcast<i32>((((_e11946 + _e20533) - 1u) >> bitcast<u32>(_e20531)));
 if _e487 {
-phi_15999_ = type_25(_e20543, _e20542);
+phi_16000_ = type_26(_e20543, _e20542);
 } else {
-phi_15999_ = type_25(_e20542, _e20543);
+phi_16000_ = type_26(_e20542, _e20543);
 }
-let _e20547 = phi_15999_;
+let _e20547 = phi_16000_;
 let _e20552 = f32((1i << bitcast<u32>(_e20531)));
 let _e20553 = (1f / _e20552);
 let _e20555 = ((_e19577 * _e20553) - 0.5f);
@@ -4124,49 +4136,49 @@ let _e20593 = (1f - _e20591);
 let _e20596 = select(_e20572, 0i, (_e20572 < 0i));
 let _e20597 = (_e20596 >= _e20547.member);
 if _e20597 {
-phi_16077_ = (_e20547.member - 1i);
+phi_16078_ = (_e20547.member - 1i);
 } else {
-phi_16077_ = _e20596;
+phi_16078_ = _e20596;
 }
-let _e20600 = phi_16077_;
+let _e20600 = phi_16078_;
 let _e20602 = select(_e20587, 0i, (_e20587 < 0i));
 let _e20603 = (_e20602 >= _e20547.member_1);
 if _e20603 {
-phi_16088_ = (_e20547.member_1 - 1i);
+phi_16089_ = (_e20547.member_1 - 1i);
 } else {
-phi_16088_ = _e20602;
+phi_16089_ = _e20602;
 }
-let _e20606 = phi_16088_;
+let _e20606 = phi_16089_;
 let _e20610 = (((f32(_e20600) + 0.5f) * _e20552) - 0.5f);
 let _e20614 = (((f32(_e20606) + 0.5f) * _e20552) - 0.5f);
 if _e487 {
-phi_16116_ = type_25(_e20606, _e20600);
+phi_16117_ = type_26(_e20606, _e20600);
 } else {
-phi_16116_ = type_25(_e20600, _e20606);
+phi_16117_ = type_26(_e20600, _e20606);
 }
-let _e20620 = phi_16116_;
+let _e20620 = phi_16117_;
 let _e20626 = bitcast<i32>(((_e11943 + 1u) >> bitcast<u32>(1u)));
 let _e20629 = global_1.member.member_18.member_6;
 let _e20632 = global_1.member.member_18.member_7;
 let _e20635 = global_1.member.member_18.member_8;
 if _e11998 {
-phi_16167_ = 0u;
+phi_16168_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_16166_ = 0u;
+phi_16167_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_16165_ = _e20629;
+phi_16166_ = _e20629;
 } else {
-phi_16165_ = select(_e20635, _e20632, (_e800 == 3u));
+phi_16166_ = select(_e20635, _e20632, (_e800 == 3u));
 }
-let _e20641 = phi_16165_;
-phi_16166_ = _e20641;
+let _e20641 = phi_16166_;
+phi_16167_ = _e20641;
 }
-let _e20643 = phi_16166_;
-phi_16167_ = _e20643;
+let _e20643 = phi_16167_;
+phi_16168_ = _e20643;
 }
-let _e20645 = phi_16167_;
+let _e20645 = phi_16168_;
 local_176 = (((bitcast<i32>(_e20645) + _e20620.member_1) * _e20626) + _e20620.member);
 let _e20650 = local_176;
 let _e20652 = (bitcast<i32>(_e296) - 1i);
@@ -4204,43 +4216,43 @@ let _e20763 = (_e20572 + 1i);
 let _e20766 = select(_e20763, 0i, (_e20763 < 0i));
 let _e20767 = (_e20766 >= _e20547.member);
 if _e20767 {
-phi_17151_ = (_e20547.member - 1i);
+phi_17152_ = (_e20547.member - 1i);
 } else {
-phi_17151_ = _e20766;
+phi_17152_ = _e20766;
 }
-let _e20770 = phi_17151_;
+let _e20770 = phi_17152_;
 if _e20603 {
-phi_17162_ = (_e20547.member_1 - 1i);
+phi_17163_ = (_e20547.member_1 - 1i);
 } else {
-phi_17162_ = _e20602;
+phi_17163_ = _e20602;
 }
-let _e20773 = phi_17162_;
+let _e20773 = phi_17163_;
 let _e20777 = (((f32(_e20770) + 0.5f) * _e20552) - 0.5f);
 let _e20781 = (((f32(_e20773) + 0.5f) * _e20552) - 0.5f);
 if _e487 {
-phi_17190_ = type_25(_e20773, _e20770);
+phi_17191_ = type_26(_e20773, _e20770);
 } else {
-phi_17190_ = type_25(_e20770, _e20773);
+phi_17191_ = type_26(_e20770, _e20773);
 }
-let _e20787 = phi_17190_;
+let _e20787 = phi_17191_;
 if _e11998 {
-phi_17241_ = 0u;
+phi_17242_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_17240_ = 0u;
+phi_17241_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_17239_ = _e20629;
+phi_17240_ = _e20629;
 } else {
-phi_17239_ = select(_e20635, _e20632, (_e800 == 3u));
+phi_17240_ = select(_e20635, _e20632, (_e800 == 3u));
 }
-let _e20795 = phi_17239_;
-phi_17240_ = _e20795;
+let _e20795 = phi_17240_;
+phi_17241_ = _e20795;
 }
-let _e20797 = phi_17240_;
-phi_17241_ = _e20797;
+let _e20797 = phi_17241_;
+phi_17242_ = _e20797;
 }
-let _e20799 = phi_17241_;
+let _e20799 = phi_17242_;
 local_174 = (((bitcast<i32>(_e20799) + _e20787.member_1) * _e20626) + _e20787.member);
 let _e20804 = local_174;
 let _e20806 = select(_e20652, _e20804, (_e20804 < _e20652));
@@ -4275,45 +4287,45 @@ let _e20901 = select(0f, _e20892, (((_e20895 >= 0f) && (_e20895 < _e725)) && (_e
 let _e20903 = (_e20770 << bitcast<u32>(_e20531));
 let _e20915 = (_e20587 + 1i);
 if _e20597 {
-phi_18225_ = (_e20547.member - 1i);
+phi_18226_ = (_e20547.member - 1i);
 } else {
-phi_18225_ = _e20596;
+phi_18226_ = _e20596;
 }
-let _e20919 = phi_18225_;
+let _e20919 = phi_18226_;
 let _e20921 = select(_e20915, 0i, (_e20915 < 0i));
 let _e20922 = (_e20921 >= _e20547.member_1);
 if _e20922 {
-phi_18236_ = (_e20547.member_1 - 1i);
+phi_18237_ = (_e20547.member_1 - 1i);
 } else {
-phi_18236_ = _e20921;
+phi_18237_ = _e20921;
 }
-let _e20925 = phi_18236_;
+let _e20925 = phi_18237_;
 let _e20929 = (((f32(_e20919) + 0.5f) * _e20552) - 0.5f);
 let _e20933 = (((f32(_e20925) + 0.5f) * _e20552) - 0.5f);
 if _e487 {
-phi_18264_ = type_25(_e20925, _e20919);
+phi_18265_ = type_26(_e20925, _e20919);
 } else {
-phi_18264_ = type_25(_e20919, _e20925);
+phi_18265_ = type_26(_e20919, _e20925);
 }
-let _e20939 = phi_18264_;
+let _e20939 = phi_18265_;
 if _e11998 {
-phi_18315_ = 0u;
+phi_18316_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_18314_ = 0u;
+phi_18315_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_18313_ = _e20629;
+phi_18314_ = _e20629;
 } else {
-phi_18313_ = select(_e20635, _e20632, (_e800 == 3u));
+phi_18314_ = select(_e20635, _e20632, (_e800 == 3u));
 }
-let _e20947 = phi_18313_;
-phi_18314_ = _e20947;
+let _e20947 = phi_18314_;
+phi_18315_ = _e20947;
 }
-let _e20949 = phi_18314_;
-phi_18315_ = _e20949;
+let _e20949 = phi_18315_;
+phi_18316_ = _e20949;
 }
-let _e20951 = phi_18315_;
+let _e20951 = phi_18316_;
 local_172 = (((bitcast<i32>(_e20951) + _e20939.member_1) * _e20626) + _e20939.member);
 let _e20956 = local_172;
 let _e20958 = select(_e20652, _e20956, (_e20956 < _e20652));
@@ -4347,43 +4359,43 @@ let _e21047 = (((_e21024 * _e21014) - _e21019) * _e21041);
 let _e21053 = select(0f, _e21044, (((_e21047 >= 0f) && (_e21047 < _e725)) && (_e21044 > 0f)));
 let _e21055 = (_e20919 << bitcast<u32>(_e20531));
 if _e20767 {
-phi_19299_ = (_e20547.member - 1i);
+phi_19300_ = (_e20547.member - 1i);
 } else {
-phi_19299_ = _e20766;
+phi_19300_ = _e20766;
 }
-let _e21070 = phi_19299_;
+let _e21070 = phi_19300_;
 if _e20922 {
-phi_19310_ = (_e20547.member_1 - 1i);
+phi_19311_ = (_e20547.member_1 - 1i);
 } else {
-phi_19310_ = _e20921;
+phi_19311_ = _e20921;
 }
-let _e21073 = phi_19310_;
+let _e21073 = phi_19311_;
 let _e21077 = (((f32(_e21070) + 0.5f) * _e20552) - 0.5f);
 let _e21081 = (((f32(_e21073) + 0.5f) * _e20552) - 0.5f);
 if _e487 {
-phi_19338_ = type_25(_e21073, _e21070);
+phi_19339_ = type_26(_e21073, _e21070);
 } else {
-phi_19338_ = type_25(_e21070, _e21073);
+phi_19339_ = type_26(_e21070, _e21073);
 }
-let _e21087 = phi_19338_;
+let _e21087 = phi_19339_;
 if _e11998 {
-phi_19389_ = 0u;
+phi_19390_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_19388_ = 0u;
+phi_19389_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_19387_ = _e20629;
+phi_19388_ = _e20629;
 } else {
-phi_19387_ = select(_e20635, _e20632, (_e800 == 3u));
+phi_19388_ = select(_e20635, _e20632, (_e800 == 3u));
 }
-let _e21095 = phi_19387_;
-phi_19388_ = _e21095;
+let _e21095 = phi_19388_;
+phi_19389_ = _e21095;
 }
-let _e21097 = phi_19388_;
-phi_19389_ = _e21097;
+let _e21097 = phi_19389_;
+phi_19390_ = _e21097;
 }
-let _e21099 = phi_19389_;
+let _e21099 = phi_19390_;
 local_170 = (((bitcast<i32>(_e21099) + _e21087.member_1) * _e20626) + _e21087.member);
 let _e21104 = local_170;
 let _e21106 = select(_e20652, _e21104, (_e21104 < _e20652));
@@ -4422,11 +4434,11 @@ let _e21218 = (1u << bitcast<u32>(_e21216));
 let _e21227 = bitcast<i32>((((_e11943 + _e21218) - 1u) >> bitcast<u32>(_e21216)));
 let _e21228 = bitcast<i32>((((_e11946 + _e21218) - 1u) >> bitcast<u32>(_e21216)));
 if _e487 {
-phi_20391_ = type_25(_e21228, _e21227);
+phi_20392_ = type_26(_e21228, _e21227);
 } else {
-phi_20391_ = type_25(_e21227, _e21228);
+phi_20392_ = type_26(_e21227, _e21228);
 }
-let _e21232 = phi_20391_;
+let _e21232 = phi_20392_;
 let _e21237 = f32((1i << bitcast<u32>(_e21216)));
 let _e21238 = (1f / _e21237);
 let _e21240 = ((_e19577 * _e21238) - 0.5f);
@@ -4446,46 +4458,46 @@ let _e21278 = (1f - _e21276);
 let _e21281 = select(_e21257, 0i, (_e21257 < 0i));
 let _e21282 = (_e21281 >= _e21232.member);
 if _e21282 {
-phi_20469_ = (_e21232.member - 1i);
+phi_20470_ = (_e21232.member - 1i);
 } else {
-phi_20469_ = _e21281;
+phi_20470_ = _e21281;
 }
-let _e21285 = phi_20469_;
+let _e21285 = phi_20470_;
 let _e21287 = select(_e21272, 0i, (_e21272 < 0i));
 let _e21288 = (_e21287 >= _e21232.member_1);
 if _e21288 {
-phi_20480_ = (_e21232.member_1 - 1i);
+phi_20481_ = (_e21232.member_1 - 1i);
 } else {
-phi_20480_ = _e21287;
+phi_20481_ = _e21287;
 }
-let _e21291 = phi_20480_;
+let _e21291 = phi_20481_;
 let _e21295 = (((f32(_e21285) + 0.5f) * _e21237) - 0.5f);
 let _e21299 = (((f32(_e21291) + 0.5f) * _e21237) - 0.5f);
 if _e487 {
-phi_20508_ = type_25(_e21291, _e21285);
+phi_20509_ = type_26(_e21291, _e21285);
 } else {
-phi_20508_ = type_25(_e21285, _e21291);
+phi_20509_ = type_26(_e21285, _e21291);
 }
-let _e21305 = phi_20508_;
+let _e21305 = phi_20509_;
 let _e21308 = (_e19556 == 0u);
 if _e21308 {
-phi_20559_ = 0u;
+phi_20560_ = 0u;
 } else {
 if (_e19556 == 1u) {
-phi_20558_ = 0u;
+phi_20559_ = 0u;
 } else {
 if (_e19556 == 2u) {
-phi_20557_ = _e20629;
+phi_20558_ = _e20629;
 } else {
-phi_20557_ = select(_e20635, _e20632, (_e19556 == 3u));
+phi_20558_ = select(_e20635, _e20632, (_e19556 == 3u));
 }
-let _e21314 = phi_20557_;
-phi_20558_ = _e21314;
+let _e21314 = phi_20558_;
+phi_20559_ = _e21314;
 }
-let _e21316 = phi_20558_;
-phi_20559_ = _e21316;
+let _e21316 = phi_20559_;
+phi_20560_ = _e21316;
 }
-let _e21318 = phi_20559_;
+let _e21318 = phi_20560_;
 local_168 = (((bitcast<i32>(_e21318) + _e21305.member_1) * _e20626) + _e21305.member);
 let _e21323 = local_168;
 let _e21325 = select(_e20652, _e21323, (_e21323 < _e20652));
@@ -4522,43 +4534,43 @@ let _e21434 = (_e21257 + 1i);
 let _e21437 = select(_e21434, 0i, (_e21434 < 0i));
 let _e21438 = (_e21437 >= _e21232.member);
 if _e21438 {
-phi_21543_ = (_e21232.member - 1i);
+phi_21544_ = (_e21232.member - 1i);
 } else {
-phi_21543_ = _e21437;
+phi_21544_ = _e21437;
 }
-let _e21441 = phi_21543_;
+let _e21441 = phi_21544_;
 if _e21288 {
-phi_21554_ = (_e21232.member_1 - 1i);
+phi_21555_ = (_e21232.member_1 - 1i);
 } else {
-phi_21554_ = _e21287;
+phi_21555_ = _e21287;
 }
-let _e21444 = phi_21554_;
+let _e21444 = phi_21555_;
 let _e21448 = (((f32(_e21441) + 0.5f) * _e21237) - 0.5f);
 let _e21452 = (((f32(_e21444) + 0.5f) * _e21237) - 0.5f);
 if _e487 {
-phi_21582_ = type_25(_e21444, _e21441);
+phi_21583_ = type_26(_e21444, _e21441);
 } else {
-phi_21582_ = type_25(_e21441, _e21444);
+phi_21583_ = type_26(_e21441, _e21444);
 }
-let _e21458 = phi_21582_;
+let _e21458 = phi_21583_;
 if _e21308 {
-phi_21633_ = 0u;
+phi_21634_ = 0u;
 } else {
 if (_e19556 == 1u) {
-phi_21632_ = 0u;
+phi_21633_ = 0u;
 } else {
 if (_e19556 == 2u) {
-phi_21631_ = _e20629;
+phi_21632_ = _e20629;
 } else {
-phi_21631_ = select(_e20635, _e20632, (_e19556 == 3u));
+phi_21632_ = select(_e20635, _e20632, (_e19556 == 3u));
 }
-let _e21466 = phi_21631_;
-phi_21632_ = _e21466;
+let _e21466 = phi_21632_;
+phi_21633_ = _e21466;
 }
-let _e21468 = phi_21632_;
-phi_21633_ = _e21468;
+let _e21468 = phi_21633_;
+phi_21634_ = _e21468;
 }
-let _e21470 = phi_21633_;
+let _e21470 = phi_21634_;
 local_166 = (((bitcast<i32>(_e21470) + _e21458.member_1) * _e20626) + _e21458.member);
 let _e21475 = local_166;
 let _e21477 = select(_e20652, _e21475, (_e21475 < _e20652));
@@ -4593,45 +4605,45 @@ let _e21572 = select(0f, _e21563, (((_e21566 >= 0f) && (_e21566 < _e725)) && (_e
 let _e21574 = (_e21441 << bitcast<u32>(_e21216));
 let _e21586 = (_e21272 + 1i);
 if _e21282 {
-phi_22617_ = (_e21232.member - 1i);
+phi_22618_ = (_e21232.member - 1i);
 } else {
-phi_22617_ = _e21281;
+phi_22618_ = _e21281;
 }
-let _e21590 = phi_22617_;
+let _e21590 = phi_22618_;
 let _e21592 = select(_e21586, 0i, (_e21586 < 0i));
 let _e21593 = (_e21592 >= _e21232.member_1);
 if _e21593 {
-phi_22628_ = (_e21232.member_1 - 1i);
+phi_22629_ = (_e21232.member_1 - 1i);
 } else {
-phi_22628_ = _e21592;
+phi_22629_ = _e21592;
 }
-let _e21596 = phi_22628_;
+let _e21596 = phi_22629_;
 let _e21600 = (((f32(_e21590) + 0.5f) * _e21237) - 0.5f);
 let _e21604 = (((f32(_e21596) + 0.5f) * _e21237) - 0.5f);
 if _e487 {
-phi_22656_ = type_25(_e21596, _e21590);
+phi_22657_ = type_26(_e21596, _e21590);
 } else {
-phi_22656_ = type_25(_e21590, _e21596);
+phi_22657_ = type_26(_e21590, _e21596);
 }
-let _e21610 = phi_22656_;
+let _e21610 = phi_22657_;
 if _e21308 {
-phi_22707_ = 0u;
+phi_22708_ = 0u;
 } else {
 if (_e19556 == 1u) {
-phi_22706_ = 0u;
+phi_22707_ = 0u;
 } else {
 if (_e19556 == 2u) {
-phi_22705_ = _e20629;
+phi_22706_ = _e20629;
 } else {
-phi_22705_ = select(_e20635, _e20632, (_e19556 == 3u));
+phi_22706_ = select(_e20635, _e20632, (_e19556 == 3u));
 }
-let _e21618 = phi_22705_;
-phi_22706_ = _e21618;
+let _e21618 = phi_22706_;
+phi_22707_ = _e21618;
 }
-let _e21620 = phi_22706_;
-phi_22707_ = _e21620;
+let _e21620 = phi_22707_;
+phi_22708_ = _e21620;
 }
-let _e21622 = phi_22707_;
+let _e21622 = phi_22708_;
 local_164 = (((bitcast<i32>(_e21622) + _e21610.member_1) * _e20626) + _e21610.member);
 let _e21627 = local_164;
 let _e21629 = select(_e20652, _e21627, (_e21627 < _e20652));
@@ -4665,43 +4677,43 @@ let _e21718 = (((_e21695 * _e21685) - _e21690) * _e21712);
 let _e21724 = select(0f, _e21715, (((_e21718 >= 0f) && (_e21718 < _e725)) && (_e21715 > 0f)));
 let _e21726 = (_e21590 << bitcast<u32>(_e21216));
 if _e21438 {
-phi_23691_ = (_e21232.member - 1i);
+phi_23692_ = (_e21232.member - 1i);
 } else {
-phi_23691_ = _e21437;
+phi_23692_ = _e21437;
 }
-let _e21741 = phi_23691_;
+let _e21741 = phi_23692_;
 if _e21593 {
-phi_23702_ = (_e21232.member_1 - 1i);
+phi_23703_ = (_e21232.member_1 - 1i);
 } else {
-phi_23702_ = _e21592;
+phi_23703_ = _e21592;
 }
-let _e21744 = phi_23702_;
+let _e21744 = phi_23703_;
 let _e21748 = (((f32(_e21741) + 0.5f) * _e21237) - 0.5f);
 let _e21752 = (((f32(_e21744) + 0.5f) * _e21237) - 0.5f);
 if _e487 {
-phi_23730_ = type_25(_e21744, _e21741);
+phi_23731_ = type_26(_e21744, _e21741);
 } else {
-phi_23730_ = type_25(_e21741, _e21744);
+phi_23731_ = type_26(_e21741, _e21744);
 }
-let _e21758 = phi_23730_;
+let _e21758 = phi_23731_;
 if _e21308 {
-phi_23781_ = 0u;
+phi_23782_ = 0u;
 } else {
 if (_e19556 == 1u) {
-phi_23780_ = 0u;
+phi_23781_ = 0u;
 } else {
 if (_e19556 == 2u) {
-phi_23779_ = _e20629;
+phi_23780_ = _e20629;
 } else {
-phi_23779_ = select(_e20635, _e20632, (_e19556 == 3u));
+phi_23780_ = select(_e20635, _e20632, (_e19556 == 3u));
 }
-let _e21766 = phi_23779_;
-phi_23780_ = _e21766;
+let _e21766 = phi_23780_;
+phi_23781_ = _e21766;
 }
-let _e21768 = phi_23780_;
-phi_23781_ = _e21768;
+let _e21768 = phi_23781_;
+phi_23782_ = _e21768;
 }
-let _e21770 = phi_23781_;
+let _e21770 = phi_23782_;
 local_162 = (((bitcast<i32>(_e21770) + _e21758.member_1) * _e20626) + _e21758.member);
 let _e21775 = local_162;
 let _e21777 = select(_e20652, _e21775, (_e21775 < _e20652));
@@ -4740,11 +4752,11 @@ let _e21889 = (1u << bitcast<u32>(_e21887));
 let _e21898 = bitcast<i32>((((_e11943 + _e21889) - 1u) >> bitcast<u32>(_e21887)));
 let _e21899 = bitcast<i32>((((_e11946 + _e21889) - 1u) >> bitcast<u32>(_e21887)));
 if _e487 {
-phi_24783_ = type_25(_e21899, _e21898);
+phi_24784_ = type_26(_e21899, _e21898);
 } else {
-phi_24783_ = type_25(_e21898, _e21899);
+phi_24784_ = type_26(_e21898, _e21899);
 }
-let _e21903 = phi_24783_;
+let _e21903 = phi_24784_;
 let _e21908 = f32((1i << bitcast<u32>(_e21887)));
 let _e21909 = (1f / _e21908);
 let _e21911 = ((_e19577 * _e21909) - 0.5f);
@@ -4764,46 +4776,46 @@ let _e21949 = (1f - _e21947);
 let _e21952 = select(_e21928, 0i, (_e21928 < 0i));
 let _e21953 = (_e21952 >= _e21903.member);
 if _e21953 {
-phi_24861_ = (_e21903.member - 1i);
+phi_24862_ = (_e21903.member - 1i);
 } else {
-phi_24861_ = _e21952;
+phi_24862_ = _e21952;
 }
-let _e21956 = phi_24861_;
+let _e21956 = phi_24862_;
 let _e21958 = select(_e21943, 0i, (_e21943 < 0i));
 let _e21959 = (_e21958 >= _e21903.member_1);
 if _e21959 {
-phi_24872_ = (_e21903.member_1 - 1i);
+phi_24873_ = (_e21903.member_1 - 1i);
 } else {
-phi_24872_ = _e21958;
+phi_24873_ = _e21958;
 }
-let _e21962 = phi_24872_;
+let _e21962 = phi_24873_;
 let _e21966 = (((f32(_e21956) + 0.5f) * _e21908) - 0.5f);
 let _e21970 = (((f32(_e21962) + 0.5f) * _e21908) - 0.5f);
 if _e487 {
-phi_24900_ = type_25(_e21962, _e21956);
+phi_24901_ = type_26(_e21962, _e21956);
 } else {
-phi_24900_ = type_25(_e21956, _e21962);
+phi_24901_ = type_26(_e21956, _e21962);
 }
-let _e21976 = phi_24900_;
+let _e21976 = phi_24901_;
 let _e21979 = (_e19560 == 0u);
 if _e21979 {
-phi_24951_ = 0u;
+phi_24952_ = 0u;
 } else {
 if (_e19560 == 1u) {
-phi_24950_ = 0u;
+phi_24951_ = 0u;
 } else {
 if (_e19560 == 2u) {
-phi_24949_ = _e20629;
+phi_24950_ = _e20629;
 } else {
-phi_24949_ = select(_e20635, _e20632, (_e19560 == 3u));
+phi_24950_ = select(_e20635, _e20632, (_e19560 == 3u));
 }
-let _e21985 = phi_24949_;
-phi_24950_ = _e21985;
+let _e21985 = phi_24950_;
+phi_24951_ = _e21985;
 }
-let _e21987 = phi_24950_;
-phi_24951_ = _e21987;
+let _e21987 = phi_24951_;
+phi_24952_ = _e21987;
 }
-let _e21989 = phi_24951_;
+let _e21989 = phi_24952_;
 local_160 = (((bitcast<i32>(_e21989) + _e21976.member_1) * _e20626) + _e21976.member);
 let _e21994 = local_160;
 let _e21996 = select(_e20652, _e21994, (_e21994 < _e20652));
@@ -4840,43 +4852,43 @@ let _e22105 = (_e21928 + 1i);
 let _e22108 = select(_e22105, 0i, (_e22105 < 0i));
 let _e22109 = (_e22108 >= _e21903.member);
 if _e22109 {
-phi_25935_ = (_e21903.member - 1i);
+phi_25936_ = (_e21903.member - 1i);
 } else {
-phi_25935_ = _e22108;
+phi_25936_ = _e22108;
 }
-let _e22112 = phi_25935_;
+let _e22112 = phi_25936_;
 if _e21959 {
-phi_25946_ = (_e21903.member_1 - 1i);
+phi_25947_ = (_e21903.member_1 - 1i);
 } else {
-phi_25946_ = _e21958;
+phi_25947_ = _e21958;
 }
-let _e22115 = phi_25946_;
+let _e22115 = phi_25947_;
 let _e22119 = (((f32(_e22112) + 0.5f) * _e21908) - 0.5f);
 let _e22123 = (((f32(_e22115) + 0.5f) * _e21908) - 0.5f);
 if _e487 {
-phi_25974_ = type_25(_e22115, _e22112);
+phi_25975_ = type_26(_e22115, _e22112);
 } else {
-phi_25974_ = type_25(_e22112, _e22115);
+phi_25975_ = type_26(_e22112, _e22115);
 }
-let _e22129 = phi_25974_;
+let _e22129 = phi_25975_;
 if _e21979 {
-phi_26025_ = 0u;
+phi_26026_ = 0u;
 } else {
 if (_e19560 == 1u) {
-phi_26024_ = 0u;
+phi_26025_ = 0u;
 } else {
 if (_e19560 == 2u) {
-phi_26023_ = _e20629;
+phi_26024_ = _e20629;
 } else {
-phi_26023_ = select(_e20635, _e20632, (_e19560 == 3u));
+phi_26024_ = select(_e20635, _e20632, (_e19560 == 3u));
 }
-let _e22137 = phi_26023_;
-phi_26024_ = _e22137;
+let _e22137 = phi_26024_;
+phi_26025_ = _e22137;
 }
-let _e22139 = phi_26024_;
-phi_26025_ = _e22139;
+let _e22139 = phi_26025_;
+phi_26026_ = _e22139;
 }
-let _e22141 = phi_26025_;
+let _e22141 = phi_26026_;
 local_158 = (((bitcast<i32>(_e22141) + _e22129.member_1) * _e20626) + _e22129.member);
 let _e22146 = local_158;
 let _e22148 = select(_e20652, _e22146, (_e22146 < _e20652));
@@ -4911,45 +4923,45 @@ let _e22243 = select(0f, _e22234, (((_e22237 >= 0f) && (_e22237 < _e725)) && (_e
 let _e22245 = (_e22112 << bitcast<u32>(_e21887));
 let _e22257 = (_e21943 + 1i);
 if _e21953 {
-phi_27009_ = (_e21903.member - 1i);
+phi_27010_ = (_e21903.member - 1i);
 } else {
-phi_27009_ = _e21952;
+phi_27010_ = _e21952;
 }
-let _e22261 = phi_27009_;
+let _e22261 = phi_27010_;
 let _e22263 = select(_e22257, 0i, (_e22257 < 0i));
 let _e22264 = (_e22263 >= _e21903.member_1);
 if _e22264 {
-phi_27020_ = (_e21903.member_1 - 1i);
+phi_27021_ = (_e21903.member_1 - 1i);
 } else {
-phi_27020_ = _e22263;
+phi_27021_ = _e22263;
 }
-let _e22267 = phi_27020_;
+let _e22267 = phi_27021_;
 let _e22271 = (((f32(_e22261) + 0.5f) * _e21908) - 0.5f);
 let _e22275 = (((f32(_e22267) + 0.5f) * _e21908) - 0.5f);
 if _e487 {
-phi_27048_ = type_25(_e22267, _e22261);
+phi_27049_ = type_26(_e22267, _e22261);
 } else {
-phi_27048_ = type_25(_e22261, _e22267);
+phi_27049_ = type_26(_e22261, _e22267);
 }
-let _e22281 = phi_27048_;
+let _e22281 = phi_27049_;
 if _e21979 {
-phi_27099_ = 0u;
+phi_27100_ = 0u;
 } else {
 if (_e19560 == 1u) {
-phi_27098_ = 0u;
+phi_27099_ = 0u;
 } else {
 if (_e19560 == 2u) {
-phi_27097_ = _e20629;
+phi_27098_ = _e20629;
 } else {
-phi_27097_ = select(_e20635, _e20632, (_e19560 == 3u));
+phi_27098_ = select(_e20635, _e20632, (_e19560 == 3u));
 }
-let _e22289 = phi_27097_;
-phi_27098_ = _e22289;
+let _e22289 = phi_27098_;
+phi_27099_ = _e22289;
 }
-let _e22291 = phi_27098_;
-phi_27099_ = _e22291;
+let _e22291 = phi_27099_;
+phi_27100_ = _e22291;
 }
-let _e22293 = phi_27099_;
+let _e22293 = phi_27100_;
 local_156 = (((bitcast<i32>(_e22293) + _e22281.member_1) * _e20626) + _e22281.member);
 let _e22298 = local_156;
 let _e22300 = select(_e20652, _e22298, (_e22298 < _e20652));
@@ -4983,43 +4995,43 @@ let _e22389 = (((_e22366 * _e22356) - _e22361) * _e22383);
 let _e22395 = select(0f, _e22386, (((_e22389 >= 0f) && (_e22389 < _e725)) && (_e22386 > 0f)));
 let _e22397 = (_e22261 << bitcast<u32>(_e21887));
 if _e22109 {
-phi_28083_ = (_e21903.member - 1i);
+phi_28084_ = (_e21903.member - 1i);
 } else {
-phi_28083_ = _e22108;
+phi_28084_ = _e22108;
 }
-let _e22412 = phi_28083_;
+let _e22412 = phi_28084_;
 if _e22264 {
-phi_28094_ = (_e21903.member_1 - 1i);
+phi_28095_ = (_e21903.member_1 - 1i);
 } else {
-phi_28094_ = _e22263;
+phi_28095_ = _e22263;
 }
-let _e22415 = phi_28094_;
+let _e22415 = phi_28095_;
 let _e22419 = (((f32(_e22412) + 0.5f) * _e21908) - 0.5f);
 let _e22423 = (((f32(_e22415) + 0.5f) * _e21908) - 0.5f);
 if _e487 {
-phi_28122_ = type_25(_e22415, _e22412);
+phi_28123_ = type_26(_e22415, _e22412);
 } else {
-phi_28122_ = type_25(_e22412, _e22415);
+phi_28123_ = type_26(_e22412, _e22415);
 }
-let _e22429 = phi_28122_;
+let _e22429 = phi_28123_;
 if _e21979 {
-phi_28173_ = 0u;
+phi_28174_ = 0u;
 } else {
 if (_e19560 == 1u) {
-phi_28172_ = 0u;
+phi_28173_ = 0u;
 } else {
 if (_e19560 == 2u) {
-phi_28171_ = _e20629;
+phi_28172_ = _e20629;
 } else {
-phi_28171_ = select(_e20635, _e20632, (_e19560 == 3u));
+phi_28172_ = select(_e20635, _e20632, (_e19560 == 3u));
 }
-let _e22437 = phi_28171_;
-phi_28172_ = _e22437;
+let _e22437 = phi_28172_;
+phi_28173_ = _e22437;
 }
-let _e22439 = phi_28172_;
-phi_28173_ = _e22439;
+let _e22439 = phi_28173_;
+phi_28174_ = _e22439;
 }
-let _e22441 = phi_28173_;
+let _e22441 = phi_28174_;
 local_154 = (((bitcast<i32>(_e22441) + _e22429.member_1) * _e20626) + _e22429.member);
 let _e22446 = local_154;
 let _e22448 = select(_e20652, _e22446, (_e22446 < _e20652));
@@ -5054,11 +5066,11 @@ let _e22543 = select(0f, _e22534, (((_e22537 >= 0f) && (_e22537 < _e725)) && (_e
 let _e22545 = (_e22412 << bitcast<u32>(_e21887));
 let _e22557 = select(((((_e21886 - select(0f, (_e21948 * _e21949), (((select(select(_e800, _e957, (_e22093 >= _e726)), _e879, (_e22093 < _e332)) == _e19560) && (_e22091 > 0f)) && (_e22091 < _e22001)))) - select(0f, (_e21945 * _e21949), (((select(select(_e800, _e957, (_e22245 >= _e726)), _e879, (_e22245 < _e332)) == _e19560) && (_e22243 > 0f)) && (_e22243 < _e22153)))) - select(0f, (_e21948 * _e21947), (((select(select(_e800, _e957, (_e22397 >= _e726)), _e879, (_e22397 < _e332)) == _e19560) && (_e22395 > 0f)) && (_e22395 < _e22305)))) - select(0f, (_e21945 * _e21947), (((select(select(_e800, _e957, (_e22545 >= _e726)), _e879, (_e22545 < _e332)) == _e19560) && (_e22543 > 0f)) && (_e22543 < _e22453)))), _e21886, _e21979);
 if _e487 {
-phi_29166_ = type_25(_e19667, _e19575);
+phi_29167_ = type_26(_e19667, _e19575);
 } else {
-phi_29166_ = type_25(_e19575, _e19667);
+phi_29167_ = type_26(_e19575, _e19667);
 }
-let _e22572 = phi_29166_;
+let _e22572 = phi_29167_;
 let _e22575 = (_e19668 && (((_e20530 > 0f) && (_e20530 < _e19758)) && (bitcast<f32>((bitcast<u32>(_e22557) & 2147483647u)) > 1e-6f)));
 let _e22578 = global_1.member.member_18.member;
 let _e22579 = (((select(_e19693, (1f - _e19693), (_e19678 >= 0f)) - select(_e19712, (1f - _e19712), (_e19697 >= 0f))) * (1f / _e19675)) * _e22578);
@@ -5099,11 +5111,11 @@ if ((_e22613 | _e22620) == 0u) {
 let _e22696 = bitcast<u32>(_e22693);
 if (_e22696 < _e304) {
 let _e22700 = atomicAdd((&global_8.member[_e22696]), _e22613);
-phi_29399_ = _e22700;
+phi_29400_ = _e22700;
 } else {
-phi_29399_ = 0u;
+phi_29400_ = 0u;
 }
-let _e22702 = phi_29399_;
+let _e22702 = phi_29400_;
 let _e22706 = (_e22620 + select(0u, 1u, ((_e22702 + _e22613) < _e22613)));
 if (_e22706 == 0u) {
 } else {
@@ -5118,11 +5130,11 @@ if ((_e22647 | _e22654) == 0u) {
 let _e22716 = bitcast<u32>((_e22693 + 2i));
 if (_e22716 < _e304) {
 let _e22720 = atomicAdd((&global_8.member[_e22716]), _e22647);
-phi_29429_ = _e22720;
+phi_29430_ = _e22720;
 } else {
-phi_29429_ = 0u;
+phi_29430_ = 0u;
 }
-let _e22722 = phi_29429_;
+let _e22722 = phi_29430_;
 let _e22726 = (_e22654 + select(0u, 1u, ((_e22722 + _e22647) < _e22647)));
 if (_e22726 == 0u) {
 } else {
@@ -5137,11 +5149,11 @@ if ((_e22681 | _e22688) == 0u) {
 let _e22736 = bitcast<u32>((_e22693 + 4i));
 if (_e22736 < _e304) {
 let _e22740 = atomicAdd((&global_8.member[_e22736]), _e22681);
-phi_29459_ = _e22740;
+phi_29460_ = _e22740;
 } else {
-phi_29459_ = 0u;
+phi_29460_ = 0u;
 }
-let _e22742 = phi_29459_;
+let _e22742 = phi_29460_;
 let _e22746 = (_e22688 + select(0u, 1u, ((_e22742 + _e22681) < _e22681)));
 if (_e22746 == 0u) {
 } else {
@@ -5151,25 +5163,25 @@ let _e22752 = atomicAdd((&global_8.member[_e22748]), _e22746);
 }
 }
 }
-phi_14590_ = (_e19665 + 1i);
+phi_14591_ = (_e19665 + 1i);
 } else {
-phi_14590_ = i32();
+phi_14591_ = i32();
 }
-let _e22755 = phi_14590_;
+let _e22755 = phi_14591_;
 continue;
 continuing {
-phi_14589_ = _e22755;
+phi_14590_ = _e22755;
 break if !(_e19668);
 }
 }
-phi_14436_ = (_e19572 + 1i);
+phi_14437_ = (_e19572 + 1i);
 } else {
-phi_14436_ = i32();
+phi_14437_ = i32();
 }
-let _e22759 = phi_14436_;
+let _e22759 = phi_14437_;
 continue;
 continuing {
-phi_14435_ = _e22759;
+phi_14436_ = _e22759;
 break if !(_e19573);
 }
 }
@@ -5181,23 +5193,23 @@ let _e12001 = (1u << bitcast<u32>(_e11999));
 let _e12010 = bitcast<i32>((((_e11943 + _e12001) - 1u) >> bitcast<u32>(_e11999)));
 let _e12011 = bitcast<i32>((((_e11946 + _e12001) - 1u) >> bitcast<u32>(_e11999)));
 if _e487 {
-phi_29525_ = type_25(_e12011, _e12010);
+phi_29526_ = type_26(_e12011, _e12010);
 } else {
-phi_29525_ = type_25(_e12010, _e12011);
+phi_29526_ = type_26(_e12010, _e12011);
 }
-let _e12015 = phi_29525_;
+let _e12015 = phi_29526_;
 let _e12019 = (_e11973 >> bitcast<u32>(_e11999));
 if (_e12019 < _e12015.member) {
-phi_29600_ = _e12019;
+phi_29601_ = _e12019;
 } else {
-phi_29600_ = (_e12015.member - 1i);
+phi_29601_ = (_e12015.member - 1i);
 }
-let _e12025 = phi_29600_;
-phi_29604_ = type_25(2147483647i, -1i);
-phi_29607_ = 0i;
+let _e12025 = phi_29601_;
+phi_29605_ = type_26(2147483647i, -1i);
+phi_29608_ = 0i;
 loop {
-let _e12028 = phi_29604_;
-let _e12030 = phi_29607_;
+let _e12028 = phi_29605_;
+let _e12030 = phi_29608_;
 local_261 = _e12028;
 local_262 = _e12028;
 let _e12031 = (_e12030 < 16i);
@@ -5231,11 +5243,11 @@ let _e12126 = select(_e12118, _e12124, (_e12124 > _e12118));
 let _e12128 = (0.5f * (_e12122 + _e12126));
 let _e12129 = (0.5f / _e12126);
 let _e12130 = (1f / _e12122);
-phi_29758_ = _e12028;
-phi_29761_ = 0i;
+phi_29759_ = _e12028;
+phi_29762_ = 0i;
 loop {
-let _e12132 = phi_29758_;
-let _e12134 = phi_29761_;
+let _e12132 = phi_29759_;
+let _e12134 = phi_29762_;
 local_270 = _e12132;
 let _e12137 = (((_e12107 - select(0i, 1i, (_e12100 < f32(_e12107)))) + (_e12030 >> bitcast<u32>(_e12036))) + (_e12134 << bitcast<u32>(_e11999)));
 let _e12138 = (_e12137 <= select(-1i, (_e12090 - select(0i, 1i, (_e12083 < f32(_e12090)))), (_e12041 <= _e12025)));
@@ -5259,34 +5271,34 @@ let _e12175 = select(_e12126, _e12173, (_e12173 < _e12126));
 let _e12178 = (_e12171 - _e12126);
 let _e12182 = (((_e12175 * (_e12175 * _e12129)) + select(0f, _e12178, (_e12178 > 0f))) * _e12130);
 if _e487 {
-phi_29891_ = type_25(_e12137, _e12041);
+phi_29892_ = type_26(_e12137, _e12041);
 } else {
-phi_29891_ = type_25(_e12041, _e12137);
+phi_29892_ = type_26(_e12041, _e12137);
 }
-let _e12193 = phi_29891_;
+let _e12193 = phi_29892_;
 let _e12199 = bitcast<i32>(((_e11943 + 1u) >> bitcast<u32>(1u)));
 let _e12202 = global_1.member.member_18.member_9;
 let _e12207 = global_1.member.member_18.member_6;
 let _e12210 = global_1.member.member_18.member_7;
 let _e12213 = global_1.member.member_18.member_8;
 if _e11998 {
-phi_29942_ = 0u;
+phi_29943_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_29941_ = 0u;
+phi_29942_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_29940_ = _e12207;
+phi_29941_ = _e12207;
 } else {
-phi_29940_ = select(_e12213, _e12210, (_e800 == 3u));
+phi_29941_ = select(_e12213, _e12210, (_e800 == 3u));
 }
-let _e12219 = phi_29940_;
-phi_29941_ = _e12219;
+let _e12219 = phi_29941_;
+phi_29942_ = _e12219;
 }
-let _e12221 = phi_29941_;
-phi_29942_ = _e12221;
+let _e12221 = phi_29942_;
+phi_29943_ = _e12221;
 }
-let _e12223 = phi_29942_;
+let _e12223 = phi_29943_;
 local_152 = (((bitcast<i32>(_e12223) + _e12193.member_1) * _e12199) + _e12193.member);
 local_153 = (_e12199 * bitcast<i32>(_e12202));
 let _e12228 = local_152;
@@ -5308,18 +5320,18 @@ let _e12263 = ((_e12193.member << bitcast<u32>(_e11999)) + _e12260);
 let _e12266 = ((_e12193.member_1 << bitcast<u32>(_e11999)) + _e12260);
 let _e12268 = select(_e12263, 0i, (_e12263 < 0i));
 if (_e12268 >= _e11947) {
-phi_30068_ = (_e11947 - 1i);
+phi_30069_ = (_e11947 - 1i);
 } else {
-phi_30068_ = _e12268;
+phi_30069_ = _e12268;
 }
-let _e12272 = phi_30068_;
+let _e12272 = phi_30069_;
 let _e12274 = select(_e12266, 0i, (_e12266 < 0i));
 if (_e12274 >= _e11948) {
-phi_30079_ = (_e11948 - 1i);
+phi_30080_ = (_e11948 - 1i);
 } else {
-phi_30079_ = _e12274;
+phi_30080_ = _e12274;
 }
-let _e12278 = phi_30079_;
+let _e12278 = phi_30080_;
 let _e12280 = bitcast<i32>((_e11943 * _e11946));
 local_150 = _e12280;
 local_151 = ((_e12278 * _e11947) + _e12272);
@@ -5397,11 +5409,11 @@ let _e12491 = global_2.member[bitcast<u32>(select(0i, _e12486, (_e12486 > 0i)))]
 let _e12493 = (_e12481 + (_e12477 + 1i));
 let _e12495 = select(_e12484, _e12493, (_e12493 < _e12484));
 let _e12500 = global_2.member[bitcast<u32>(select(0i, _e12495, (_e12495 > 0i)))];
-phi_30502_ = (_e12491 + ((_e12500 - _e12491) * (_e12461 - f32(_e12477))));
+phi_30503_ = (_e12491 + ((_e12500 - _e12491) * (_e12461 - f32(_e12477))));
 } else {
-phi_30502_ = select(((1f - _e12432) / (_e12438 * sqrt(select(0f, _e12438, (_e12438 > 0f))))), (0.75f * (1f + (_e12428 * _e12428))), (_e12450 == 1u));
+phi_30503_ = select(((1f - _e12432) / (_e12438 * sqrt(select(0f, _e12438, (_e12438 > 0f))))), (0.75f * (1f + (_e12428 * _e12428))), (_e12450 == 1u));
 }
-let _e12507 = phi_30502_;
+let _e12507 = phi_30503_;
 let _e12519 = global_1.member.member_13.member_7;
 let _e12520 = bitcast<i32>(_e12519);
 let _e12523 = global_1.member.member_13.member_8;
@@ -5443,29 +5455,29 @@ local_148 = (_e12551 - f32(_e12588));
 let _e12625 = (_e12588 + 1i);
 let _e12627 = select(_e12625, 0i, (_e12625 < 0i));
 if (_e12627 >= _e12520) {
-phi_30634_ = (_e12520 - 1i);
+phi_30635_ = (_e12520 - 1i);
 } else {
-phi_30634_ = _e12627;
+phi_30635_ = _e12627;
 }
-let _e12631 = phi_30634_;
+let _e12631 = phi_30635_;
 local_149 = (_e12631 - _e12588);
 let _e12633 = (_e12603 + 1i);
 let _e12635 = select(_e12633, 0i, (_e12633 < 0i));
 if (_e12635 >= _e12524) {
-phi_30647_ = (_e12524 - 1i);
+phi_30648_ = (_e12524 - 1i);
 } else {
-phi_30647_ = _e12635;
+phi_30648_ = _e12635;
 }
-let _e12639 = phi_30647_;
+let _e12639 = phi_30648_;
 let _e12641 = ((_e12639 - _e12603) * _e12520);
 let _e12642 = (_e12618 + 1i);
 let _e12644 = select(_e12642, 0i, (_e12642 < 0i));
 if (_e12644 >= _e12528) {
-phi_30661_ = (_e12528 - 1i);
+phi_30662_ = (_e12528 - 1i);
 } else {
-phi_30661_ = _e12644;
+phi_30662_ = _e12644;
 }
-let _e12648 = phi_30661_;
+let _e12648 = phi_30662_;
 let _e12654 = global_1.member.member_13.member_10;
 let _e12660 = ((bitcast<i32>(_e12654) + (((_e12618 * _e12524) + _e12603) * _e12520)) + _e12588);
 let _e12662 = (bitcast<i32>(_e299) - 1i);
@@ -5532,11 +5544,11 @@ let _e12817 = ((_e12812 + ((_e12809 - 1i) * _e12813)) + _e12816);
 let _e12819 = (bitcast<i32>(_e302) - 1i);
 let _e12821 = select(_e12819, _e12817, (_e12817 < _e12819));
 let _e12826 = global_7.member[bitcast<u32>(select(0i, _e12821, (_e12821 > 0i)))];
-phi_30965_ = _e12826;
+phi_30966_ = _e12826;
 } else {
-phi_30965_ = 0f;
+phi_30966_ = 0f;
 }
-let _e12828 = phi_30965_;
+let _e12828 = phi_30966_;
 let _e12829 = local_145;
 let _e12830 = local_147;
 let _e12833 = local_146;
@@ -5562,11 +5574,11 @@ let _e12880 = local_143;
 let _e12881 = ((_e12876 + ((_e12873 - 1i) * _e12877)) + _e12880);
 let _e12883 = select(_e12836, _e12881, (_e12881 < _e12836));
 let _e12888 = global_7.member[bitcast<u32>(select(0i, _e12883, (_e12883 > 0i)))];
-phi_31092_ = _e12888;
+phi_31093_ = _e12888;
 } else {
-phi_31092_ = 0f;
+phi_31093_ = 0f;
 }
-let _e12890 = phi_31092_;
+let _e12890 = phi_31093_;
 let _e12891 = local_142;
 let _e12892 = local_144;
 let _e12895 = local_143;
@@ -5609,11 +5621,11 @@ let _e13062 = global_1.member.member_13.member_1;
 let _e13075 = select(0f, _e12419, (((_e12422 >= 0f) && (_e12422 < _e725)) && (_e12419 > 0f)));
 let _e13078 = ((_e13075 > 0f) && (_e13075 < _e12237));
 if _e487 {
-phi_31377_ = type_25(_e12137, _e12041);
+phi_31378_ = type_26(_e12137, _e12041);
 } else {
-phi_31377_ = type_25(_e12041, _e12137);
+phi_31378_ = type_26(_e12041, _e12137);
 }
-let _e13102 = phi_31377_;
+let _e13102 = phi_31378_;
 let _e13105 = (_e12138 && _e13078);
 let _e13108 = global_1.member.member_18.member;
 let _e13109 = (((select(_e12163, (1f - _e12163), (_e12148 >= 0f)) - select(_e12182, (1f - _e12182), (_e12167 >= 0f))) * (1f / _e12145)) * _e13108);
@@ -5653,34 +5665,34 @@ let _e13226 = global_1.member.member_18.member_3;
 let _e13229 = global_1.member.member_18.member_4;
 let _e13232 = global_1.member.member_18.member_5;
 if _e11998 {
-phi_31576_ = 0u;
+phi_31577_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_31575_ = _e13223;
+phi_31576_ = _e13223;
 } else {
 if (_e800 == 2u) {
-phi_31574_ = _e13226;
+phi_31575_ = _e13226;
 } else {
-phi_31574_ = select(_e13232, _e13229, (_e800 == 3u));
+phi_31575_ = select(_e13232, _e13229, (_e800 == 3u));
 }
-let _e13238 = phi_31574_;
-phi_31575_ = _e13238;
+let _e13238 = phi_31575_;
+phi_31576_ = _e13238;
 }
-let _e13240 = phi_31575_;
-phi_31576_ = _e13240;
+let _e13240 = phi_31576_;
+phi_31577_ = _e13240;
 }
-let _e13242 = phi_31576_;
+let _e13242 = phi_31577_;
 let _e13250 = bitcast<i32>(bitcast<u32>((((bitcast<i32>(_e13242) + (_e13102.member_1 * _e12010)) + _e13102.member) * 6i)));
 if ((_e13143 | _e13150) == 0u) {
 } else {
 let _e13253 = bitcast<u32>(_e13250);
 if (_e13253 < _e304) {
 let _e13257 = atomicAdd((&global_8.member[_e13253]), _e13143);
-phi_31610_ = _e13257;
+phi_31611_ = _e13257;
 } else {
-phi_31610_ = 0u;
+phi_31611_ = 0u;
 }
-let _e13259 = phi_31610_;
+let _e13259 = phi_31611_;
 let _e13263 = (_e13150 + select(0u, 1u, ((_e13259 + _e13143) < _e13143)));
 if (_e13263 == 0u) {
 } else {
@@ -5695,11 +5707,11 @@ if ((_e13177 | _e13184) == 0u) {
 let _e13273 = bitcast<u32>((_e13250 + 2i));
 if (_e13273 < _e304) {
 let _e13277 = atomicAdd((&global_8.member[_e13273]), _e13177);
-phi_31640_ = _e13277;
+phi_31641_ = _e13277;
 } else {
-phi_31640_ = 0u;
+phi_31641_ = 0u;
 }
-let _e13279 = phi_31640_;
+let _e13279 = phi_31641_;
 let _e13283 = (_e13184 + select(0u, 1u, ((_e13279 + _e13177) < _e13177)));
 if (_e13283 == 0u) {
 } else {
@@ -5714,11 +5726,11 @@ if ((_e13211 | _e13218) == 0u) {
 let _e13293 = bitcast<u32>((_e13250 + 4i));
 if (_e13293 < _e304) {
 let _e13297 = atomicAdd((&global_8.member[_e13293]), _e13211);
-phi_31670_ = _e13297;
+phi_31671_ = _e13297;
 } else {
-phi_31670_ = 0u;
+phi_31671_ = 0u;
 }
-let _e13299 = phi_31670_;
+let _e13299 = phi_31671_;
 let _e13303 = (_e13218 + select(0u, 1u, ((_e13299 + _e13211) < _e13211)));
 if (_e13303 == 0u) {
 } else {
@@ -5730,39 +5742,39 @@ let _e13309 = atomicAdd((&global_8.member[_e13305]), _e13303);
 }
 let _e13310 = bitcast<i32>(bitcast<u32>(select(-1i, _e12137, (_e12138 && (!(((_e13078 && !(((((_e12041 * _e12033) == _e332) && (_e879 != _e800)) || ((((_e12041 + 1i) * _e12033) == _e726) && (_e957 != _e800))))) && ((_e13075 * (1f + (0.02f * _e12034))) < _e12258))) && (_e13075 <= _e12247))))));
 if (_e13310 >= 0i) {
-phi_31707_ = type_25(select(_e12132.member, _e13310, (_e13310 < _e12132.member)), select(_e12132.member_1, _e13310, (_e13310 > _e12132.member_1)));
+phi_31708_ = type_26(select(_e12132.member, _e13310, (_e13310 < _e12132.member)), select(_e12132.member_1, _e13310, (_e13310 > _e12132.member_1)));
 } else {
-phi_31707_ = _e12132;
+phi_31708_ = _e12132;
 }
-let _e13320 = phi_31707_;
-phi_29759_ = _e13320;
-phi_29762_ = (_e12134 + 1i);
+let _e13320 = phi_31708_;
+phi_29760_ = _e13320;
+phi_29763_ = (_e12134 + 1i);
 } else {
-phi_29759_ = type_25();
-phi_29762_ = i32();
+phi_29760_ = type_26();
+phi_29763_ = i32();
 }
-let _e13323 = phi_29759_;
-let _e13325 = phi_29762_;
+let _e13323 = phi_29760_;
+let _e13325 = phi_29763_;
 continue;
 continuing {
-phi_29758_ = _e13323;
-phi_29761_ = _e13325;
+phi_29759_ = _e13323;
+phi_29762_ = _e13325;
 break if !(_e12138);
 }
 }
 let _e28574 = local_270;
-phi_29605_ = _e28574;
-phi_29608_ = (_e12030 + 1i);
+phi_29606_ = _e28574;
+phi_29609_ = (_e12030 + 1i);
 } else {
-phi_29605_ = type_25();
-phi_29608_ = i32();
+phi_29606_ = type_26();
+phi_29609_ = i32();
 }
-let _e13329 = phi_29605_;
-let _e13331 = phi_29608_;
+let _e13329 = phi_29606_;
+let _e13331 = phi_29609_;
 continue;
 continuing {
-phi_29604_ = _e13329;
-phi_29607_ = _e13331;
+phi_29605_ = _e13329;
+phi_29608_ = _e13331;
 break if !(_e12031);
 }
 }
@@ -5771,19 +5783,19 @@ let _e13337 = local_262;
 if (_e13334.member <= _e13337.member_1) {
 let _e13342 = ((_e13337.member_1 + 1i) << bitcast<u32>(_e11999));
 if (_e13342 <= _e11997) {
-phi_31724_ = (_e13342 - 1i);
+phi_31725_ = (_e13342 - 1i);
 } else {
-phi_31724_ = _e11997;
+phi_31725_ = _e11997;
 }
-let _e13346 = phi_31724_;
+let _e13346 = phi_31725_;
 let _e13348 = (_e13334.member << bitcast<u32>(_e11999));
 let _e13350 = select(_e879, 0u, (_e879 == _e800));
 let _e13354 = select(_e957, 0u, ((_e957 == _e800) || (_e957 == _e879)));
 let _e13362 = ((select(0u, 1u, (_e800 > 0u)) + select(0u, 1u, (_e13350 > 0u))) + select(0u, 1u, (_e13354 > 0u)));
 if (_e13362 == 0u) {
-phi_31759_ = 0i;
+phi_31760_ = 0i;
 loop {
-let _e18396 = phi_31759_;
+let _e18396 = phi_31760_;
 let _e18397 = (_e18396 < 16i);
 if _e18397 {
 let _e18399 = (_e11992 + (_e18396 & 15i));
@@ -5813,9 +5825,9 @@ let _e18484 = select(_e18476, _e18482, (_e18482 > _e18476));
 let _e18486 = (0.5f * (_e18480 + _e18484));
 let _e18487 = (0.5f / _e18484);
 let _e18488 = (1f / _e18480);
-phi_31913_ = 0i;
+phi_31914_ = 0i;
 loop {
-let _e18490 = phi_31913_;
+let _e18490 = phi_31914_;
 let _e18492 = (((_e18465 - select(0i, 1i, (_e18458 < f32(_e18465)))) + (_e18396 >> bitcast<u32>(4u))) + bitcast<i32>(_e18490));
 let _e18493 = (_e18492 <= select(-1i, (_e18448 - select(0i, 1i, (_e18441 < f32(_e18448)))), (_e18399 <= _e11996)));
 if _e18493 {
@@ -5837,11 +5849,11 @@ let _e18530 = select(_e18484, _e18528, (_e18528 < _e18484));
 let _e18533 = (_e18526 - _e18484);
 let _e18537 = (((_e18530 * (_e18530 * _e18487)) + select(0f, _e18533, (_e18533 > 0f))) * _e18488);
 if _e487 {
-phi_32018_ = type_25(_e18492, _e18399);
+phi_32019_ = type_26(_e18492, _e18399);
 } else {
-phi_32018_ = type_25(_e18399, _e18492);
+phi_32019_ = type_26(_e18399, _e18492);
 }
-let _e18546 = phi_32018_;
+let _e18546 = phi_32019_;
 let _e18550 = bitcast<i32>((_e11943 * _e11946));
 local_140 = _e18550;
 local_141 = ((_e18546.member_1 * _e11947) + _e18546.member);
@@ -5922,11 +5934,11 @@ let _e18771 = global_2.member[bitcast<u32>(select(0i, _e18766, (_e18766 > 0i)))]
 let _e18773 = (_e18761 + (_e18757 + 1i));
 let _e18775 = select(_e18764, _e18773, (_e18773 < _e18764));
 let _e18780 = global_2.member[bitcast<u32>(select(0i, _e18775, (_e18775 > 0i)))];
-phi_32445_ = (_e18771 + ((_e18780 - _e18771) * (_e18741 - f32(_e18757))));
+phi_32446_ = (_e18771 + ((_e18780 - _e18771) * (_e18741 - f32(_e18757))));
 } else {
-phi_32445_ = select(((1f - _e18712) / (_e18718 * sqrt(select(0f, _e18718, (_e18718 > 0f))))), (0.75f * (1f + (_e18708 * _e18708))), (_e18730 == 1u));
+phi_32446_ = select(((1f - _e18712) / (_e18718 * sqrt(select(0f, _e18718, (_e18718 > 0f))))), (0.75f * (1f + (_e18708 * _e18708))), (_e18730 == 1u));
 }
-let _e18787 = phi_32445_;
+let _e18787 = phi_32446_;
 let _e18799 = global_1.member.member_13.member_7;
 let _e18800 = bitcast<i32>(_e18799);
 let _e18803 = global_1.member.member_13.member_8;
@@ -5968,29 +5980,29 @@ local_138 = (_e18831 - f32(_e18868));
 let _e18905 = (_e18868 + 1i);
 let _e18907 = select(_e18905, 0i, (_e18905 < 0i));
 if (_e18907 >= _e18800) {
-phi_32577_ = (_e18800 - 1i);
+phi_32578_ = (_e18800 - 1i);
 } else {
-phi_32577_ = _e18907;
+phi_32578_ = _e18907;
 }
-let _e18911 = phi_32577_;
+let _e18911 = phi_32578_;
 local_139 = (_e18911 - _e18868);
 let _e18913 = (_e18883 + 1i);
 let _e18915 = select(_e18913, 0i, (_e18913 < 0i));
 if (_e18915 >= _e18804) {
-phi_32590_ = (_e18804 - 1i);
+phi_32591_ = (_e18804 - 1i);
 } else {
-phi_32590_ = _e18915;
+phi_32591_ = _e18915;
 }
-let _e18919 = phi_32590_;
+let _e18919 = phi_32591_;
 let _e18921 = ((_e18919 - _e18883) * _e18800);
 let _e18922 = (_e18898 + 1i);
 let _e18924 = select(_e18922, 0i, (_e18922 < 0i));
 if (_e18924 >= _e18808) {
-phi_32604_ = (_e18808 - 1i);
+phi_32605_ = (_e18808 - 1i);
 } else {
-phi_32604_ = _e18924;
+phi_32605_ = _e18924;
 }
-let _e18928 = phi_32604_;
+let _e18928 = phi_32605_;
 let _e18934 = global_1.member.member_13.member_10;
 let _e18940 = ((bitcast<i32>(_e18934) + (((_e18898 * _e18804) + _e18883) * _e18800)) + _e18868);
 let _e18942 = (bitcast<i32>(_e299) - 1i);
@@ -6057,11 +6069,11 @@ let _e19097 = ((_e19092 + ((_e19089 - 1i) * _e19093)) + _e19096);
 let _e19099 = (bitcast<i32>(_e302) - 1i);
 let _e19101 = select(_e19099, _e19097, (_e19097 < _e19099));
 let _e19106 = global_7.member[bitcast<u32>(select(0i, _e19101, (_e19101 > 0i)))];
-phi_32908_ = _e19106;
+phi_32909_ = _e19106;
 } else {
-phi_32908_ = 0f;
+phi_32909_ = 0f;
 }
-let _e19108 = phi_32908_;
+let _e19108 = phi_32909_;
 let _e19109 = local_135;
 let _e19110 = local_137;
 let _e19113 = local_136;
@@ -6087,11 +6099,11 @@ let _e19160 = local_133;
 let _e19161 = ((_e19156 + ((_e19153 - 1i) * _e19157)) + _e19160);
 let _e19163 = select(_e19116, _e19161, (_e19161 < _e19116));
 let _e19168 = global_7.member[bitcast<u32>(select(0i, _e19163, (_e19163 > 0i)))];
-phi_33035_ = _e19168;
+phi_33036_ = _e19168;
 } else {
-phi_33035_ = 0f;
+phi_33036_ = 0f;
 }
-let _e19170 = phi_33035_;
+let _e19170 = phi_33036_;
 let _e19171 = local_132;
 let _e19172 = local_134;
 let _e19175 = local_133;
@@ -6133,11 +6145,11 @@ let _e19319 = ((_e19297 - (_e19315 * 0.6933594f)) - (_e19315 * -2.1219444e-4f));
 let _e19342 = global_1.member.member_13.member_1;
 let _e19355 = select(0f, _e18699, (((_e18702 >= 0f) && (_e18702 < _e725)) && (_e18699 > 0f)));
 if _e487 {
-phi_33299_ = type_25(_e18492, _e18399);
+phi_33300_ = type_26(_e18492, _e18399);
 } else {
-phi_33299_ = type_25(_e18399, _e18492);
+phi_33300_ = type_26(_e18399, _e18492);
 }
-let _e19366 = phi_33299_;
+let _e19366 = phi_33300_;
 let _e19369 = (_e18493 && (((_e19355 > 0f) && (_e19355 < _e18583)) && true));
 let _e19372 = global_1.member.member_18.member;
 let _e19373 = (((select(_e18518, (1f - _e18518), (_e18503 >= 0f)) - select(_e18537, (1f - _e18537), (_e18522 >= 0f))) * (1f / _e18500)) * _e19372);
@@ -6178,11 +6190,11 @@ if ((_e19407 | _e19414) == 0u) {
 let _e19490 = bitcast<u32>(_e19487);
 if (_e19490 < _e304) {
 let _e19494 = atomicAdd((&global_8.member[_e19490]), _e19407);
-phi_33532_ = _e19494;
+phi_33533_ = _e19494;
 } else {
-phi_33532_ = 0u;
+phi_33533_ = 0u;
 }
-let _e19496 = phi_33532_;
+let _e19496 = phi_33533_;
 let _e19500 = (_e19414 + select(0u, 1u, ((_e19496 + _e19407) < _e19407)));
 if (_e19500 == 0u) {
 } else {
@@ -6197,11 +6209,11 @@ if ((_e19441 | _e19448) == 0u) {
 let _e19510 = bitcast<u32>((_e19487 + 2i));
 if (_e19510 < _e304) {
 let _e19514 = atomicAdd((&global_8.member[_e19510]), _e19441);
-phi_33562_ = _e19514;
+phi_33563_ = _e19514;
 } else {
-phi_33562_ = 0u;
+phi_33563_ = 0u;
 }
-let _e19516 = phi_33562_;
+let _e19516 = phi_33563_;
 let _e19520 = (_e19448 + select(0u, 1u, ((_e19516 + _e19441) < _e19441)));
 if (_e19520 == 0u) {
 } else {
@@ -6216,11 +6228,11 @@ if ((_e19475 | _e19482) == 0u) {
 let _e19530 = bitcast<u32>((_e19487 + 4i));
 if (_e19530 < _e304) {
 let _e19534 = atomicAdd((&global_8.member[_e19530]), _e19475);
-phi_33592_ = _e19534;
+phi_33593_ = _e19534;
 } else {
-phi_33592_ = 0u;
+phi_33593_ = 0u;
 }
-let _e19536 = phi_33592_;
+let _e19536 = phi_33593_;
 let _e19540 = (_e19482 + select(0u, 1u, ((_e19536 + _e19475) < _e19475)));
 if (_e19540 == 0u) {
 } else {
@@ -6230,33 +6242,33 @@ let _e19546 = atomicAdd((&global_8.member[_e19542]), _e19540);
 }
 }
 }
-phi_31914_ = (_e18490 + 1i);
+phi_31915_ = (_e18490 + 1i);
 } else {
-phi_31914_ = i32();
+phi_31915_ = i32();
 }
-let _e19549 = phi_31914_;
+let _e19549 = phi_31915_;
 continue;
 continuing {
-phi_31913_ = _e19549;
+phi_31914_ = _e19549;
 break if !(_e18493);
 }
 }
-phi_31760_ = (_e18396 + 1i);
+phi_31761_ = (_e18396 + 1i);
 } else {
-phi_31760_ = i32();
+phi_31761_ = i32();
 }
-let _e19553 = phi_31760_;
+let _e19553 = phi_31761_;
 continue;
 continuing {
-phi_31759_ = _e19553;
+phi_31760_ = _e19553;
 break if !(_e18397);
 }
 }
 } else {
 if (_e13362 == 1u) {
-phi_33641_ = 0i;
+phi_33642_ = 0i;
 loop {
-let _e16544 = phi_33641_;
+let _e16544 = phi_33642_;
 let _e16545 = (_e16544 < 16i);
 if _e16545 {
 let _e16547 = (_e11992 + (_e16544 & 15i));
@@ -6287,9 +6299,9 @@ let _e16632 = select(_e16624, _e16630, (_e16630 > _e16624));
 let _e16634 = (0.5f * (_e16628 + _e16632));
 let _e16635 = (0.5f / _e16632);
 let _e16636 = (1f / _e16628);
-phi_33795_ = 0i;
+phi_33796_ = 0i;
 loop {
-let _e16638 = phi_33795_;
+let _e16638 = phi_33796_;
 let _e16640 = (((_e16613 - select(0i, 1i, (_e16606 < f32(_e16613)))) + (_e16544 >> bitcast<u32>(4u))) + bitcast<i32>(_e16638));
 let _e16641 = (_e16640 <= select(-1i, (_e16596 - select(0i, 1i, (_e16589 < f32(_e16596)))), (_e16547 <= _e11996)));
 if _e16641 {
@@ -6312,11 +6324,11 @@ let _e16678 = select(_e16632, _e16676, (_e16676 < _e16632));
 let _e16681 = (_e16674 - _e16632);
 let _e16685 = (((_e16678 * (_e16678 * _e16635)) + select(0f, _e16681, (_e16681 > 0f))) * _e16636);
 if _e487 {
-phi_33900_ = type_25(_e16640, _e16547);
+phi_33901_ = type_26(_e16640, _e16547);
 } else {
-phi_33900_ = type_25(_e16547, _e16640);
+phi_33901_ = type_26(_e16547, _e16640);
 }
-let _e16694 = phi_33900_;
+let _e16694 = phi_33901_;
 let _e16698 = bitcast<i32>((_e11943 * _e11946));
 local_130 = _e16698;
 local_131 = ((_e16694.member_1 * _e11947) + _e16694.member);
@@ -6399,11 +6411,11 @@ let _e16919 = global_2.member[bitcast<u32>(select(0i, _e16914, (_e16914 > 0i)))]
 let _e16921 = (_e16909 + (_e16905 + 1i));
 let _e16923 = select(_e16912, _e16921, (_e16921 < _e16912));
 let _e16928 = global_2.member[bitcast<u32>(select(0i, _e16923, (_e16923 > 0i)))];
-phi_34327_ = (_e16919 + ((_e16928 - _e16919) * (_e16889 - f32(_e16905))));
+phi_34328_ = (_e16919 + ((_e16928 - _e16919) * (_e16889 - f32(_e16905))));
 } else {
-phi_34327_ = select(((1f - _e16860) / (_e16866 * sqrt(select(0f, _e16866, (_e16866 > 0f))))), (0.75f * (1f + (_e16856 * _e16856))), (_e16878 == 1u));
+phi_34328_ = select(((1f - _e16860) / (_e16866 * sqrt(select(0f, _e16866, (_e16866 > 0f))))), (0.75f * (1f + (_e16856 * _e16856))), (_e16878 == 1u));
 }
-let _e16935 = phi_34327_;
+let _e16935 = phi_34328_;
 let _e16947 = global_1.member.member_13.member_7;
 let _e16948 = bitcast<i32>(_e16947);
 let _e16951 = global_1.member.member_13.member_8;
@@ -6445,29 +6457,29 @@ local_128 = (_e16979 - f32(_e17016));
 let _e17053 = (_e17016 + 1i);
 let _e17055 = select(_e17053, 0i, (_e17053 < 0i));
 if (_e17055 >= _e16948) {
-phi_34459_ = (_e16948 - 1i);
+phi_34460_ = (_e16948 - 1i);
 } else {
-phi_34459_ = _e17055;
+phi_34460_ = _e17055;
 }
-let _e17059 = phi_34459_;
+let _e17059 = phi_34460_;
 local_129 = (_e17059 - _e17016);
 let _e17061 = (_e17031 + 1i);
 let _e17063 = select(_e17061, 0i, (_e17061 < 0i));
 if (_e17063 >= _e16952) {
-phi_34472_ = (_e16952 - 1i);
+phi_34473_ = (_e16952 - 1i);
 } else {
-phi_34472_ = _e17063;
+phi_34473_ = _e17063;
 }
-let _e17067 = phi_34472_;
+let _e17067 = phi_34473_;
 let _e17069 = ((_e17067 - _e17031) * _e16948);
 let _e17070 = (_e17046 + 1i);
 let _e17072 = select(_e17070, 0i, (_e17070 < 0i));
 if (_e17072 >= _e16956) {
-phi_34486_ = (_e16956 - 1i);
+phi_34487_ = (_e16956 - 1i);
 } else {
-phi_34486_ = _e17072;
+phi_34487_ = _e17072;
 }
-let _e17076 = phi_34486_;
+let _e17076 = phi_34487_;
 let _e17082 = global_1.member.member_13.member_10;
 let _e17088 = ((bitcast<i32>(_e17082) + (((_e17046 * _e16952) + _e17031) * _e16948)) + _e17016);
 let _e17090 = (bitcast<i32>(_e299) - 1i);
@@ -6534,11 +6546,11 @@ let _e17245 = ((_e17240 + ((_e17237 - 1i) * _e17241)) + _e17244);
 let _e17247 = (bitcast<i32>(_e302) - 1i);
 let _e17249 = select(_e17247, _e17245, (_e17245 < _e17247));
 let _e17254 = global_7.member[bitcast<u32>(select(0i, _e17249, (_e17249 > 0i)))];
-phi_34790_ = _e17254;
+phi_34791_ = _e17254;
 } else {
-phi_34790_ = 0f;
+phi_34791_ = 0f;
 }
-let _e17256 = phi_34790_;
+let _e17256 = phi_34791_;
 let _e17257 = local_125;
 let _e17258 = local_127;
 let _e17261 = local_126;
@@ -6564,11 +6576,11 @@ let _e17308 = local_123;
 let _e17309 = ((_e17304 + ((_e17301 - 1i) * _e17305)) + _e17308);
 let _e17311 = select(_e17264, _e17309, (_e17309 < _e17264));
 let _e17316 = global_7.member[bitcast<u32>(select(0i, _e17311, (_e17311 > 0i)))];
-phi_34917_ = _e17316;
+phi_34918_ = _e17316;
 } else {
-phi_34917_ = 0f;
+phi_34918_ = 0f;
 }
-let _e17318 = phi_34917_;
+let _e17318 = phi_34918_;
 let _e17319 = local_122;
 let _e17320 = local_124;
 let _e17323 = local_123;
@@ -6615,11 +6627,11 @@ let _e17508 = (1u << bitcast<u32>(_e17506));
 let _e17517 = bitcast<i32>((((_e11943 + _e17508) - 1u) >> bitcast<u32>(_e17506)));
 let _e17518 = bitcast<i32>((((_e11946 + _e17508) - 1u) >> bitcast<u32>(_e17506)));
 if _e487 {
-phi_35207_ = type_25(_e17518, _e17517);
+phi_35208_ = type_26(_e17518, _e17517);
 } else {
-phi_35207_ = type_25(_e17517, _e17518);
+phi_35208_ = type_26(_e17517, _e17518);
 }
-let _e17522 = phi_35207_;
+let _e17522 = phi_35208_;
 let _e17527 = f32((1i << bitcast<u32>(_e17506)));
 let _e17528 = (1f / _e17527);
 let _e17530 = ((_e16549 * _e17528) - 0.5f);
@@ -6639,50 +6651,50 @@ let _e17568 = (1f - _e17566);
 let _e17571 = select(_e17547, 0i, (_e17547 < 0i));
 let _e17572 = (_e17571 >= _e17522.member);
 if _e17572 {
-phi_35285_ = (_e17522.member - 1i);
+phi_35286_ = (_e17522.member - 1i);
 } else {
-phi_35285_ = _e17571;
+phi_35286_ = _e17571;
 }
-let _e17575 = phi_35285_;
+let _e17575 = phi_35286_;
 let _e17577 = select(_e17562, 0i, (_e17562 < 0i));
 let _e17578 = (_e17577 >= _e17522.member_1);
 if _e17578 {
-phi_35296_ = (_e17522.member_1 - 1i);
+phi_35297_ = (_e17522.member_1 - 1i);
 } else {
-phi_35296_ = _e17577;
+phi_35297_ = _e17577;
 }
-let _e17581 = phi_35296_;
+let _e17581 = phi_35297_;
 let _e17585 = (((f32(_e17575) + 0.5f) * _e17527) - 0.5f);
 let _e17589 = (((f32(_e17581) + 0.5f) * _e17527) - 0.5f);
 if _e487 {
-phi_35324_ = type_25(_e17581, _e17575);
+phi_35325_ = type_26(_e17581, _e17575);
 } else {
-phi_35324_ = type_25(_e17575, _e17581);
+phi_35325_ = type_26(_e17575, _e17581);
 }
-let _e17595 = phi_35324_;
+let _e17595 = phi_35325_;
 let _e17601 = bitcast<i32>(((_e11943 + 1u) >> bitcast<u32>(1u)));
 let _e17604 = global_1.member.member_18.member_6;
 let _e17607 = global_1.member.member_18.member_7;
 let _e17610 = global_1.member.member_18.member_8;
 let _e17611 = (_e17505 == 0u);
 if _e17611 {
-phi_35375_ = 0u;
+phi_35376_ = 0u;
 } else {
 if (_e17505 == 1u) {
-phi_35374_ = 0u;
+phi_35375_ = 0u;
 } else {
 if (_e17505 == 2u) {
-phi_35373_ = _e17604;
+phi_35374_ = _e17604;
 } else {
-phi_35373_ = select(_e17610, _e17607, (_e17505 == 3u));
+phi_35374_ = select(_e17610, _e17607, (_e17505 == 3u));
 }
-let _e17617 = phi_35373_;
-phi_35374_ = _e17617;
+let _e17617 = phi_35374_;
+phi_35375_ = _e17617;
 }
-let _e17619 = phi_35374_;
-phi_35375_ = _e17619;
+let _e17619 = phi_35375_;
+phi_35376_ = _e17619;
 }
-let _e17621 = phi_35375_;
+let _e17621 = phi_35376_;
 local_120 = (((bitcast<i32>(_e17621) + _e17595.member_1) * _e17601) + _e17595.member);
 let _e17626 = local_120;
 let _e17628 = (bitcast<i32>(_e296) - 1i);
@@ -6720,43 +6732,43 @@ let _e17739 = (_e17547 + 1i);
 let _e17742 = select(_e17739, 0i, (_e17739 < 0i));
 let _e17743 = (_e17742 >= _e17522.member);
 if _e17743 {
-phi_36359_ = (_e17522.member - 1i);
+phi_36360_ = (_e17522.member - 1i);
 } else {
-phi_36359_ = _e17742;
+phi_36360_ = _e17742;
 }
-let _e17746 = phi_36359_;
+let _e17746 = phi_36360_;
 if _e17578 {
-phi_36370_ = (_e17522.member_1 - 1i);
+phi_36371_ = (_e17522.member_1 - 1i);
 } else {
-phi_36370_ = _e17577;
+phi_36371_ = _e17577;
 }
-let _e17749 = phi_36370_;
+let _e17749 = phi_36371_;
 let _e17753 = (((f32(_e17746) + 0.5f) * _e17527) - 0.5f);
 let _e17757 = (((f32(_e17749) + 0.5f) * _e17527) - 0.5f);
 if _e487 {
-phi_36398_ = type_25(_e17749, _e17746);
+phi_36399_ = type_26(_e17749, _e17746);
 } else {
-phi_36398_ = type_25(_e17746, _e17749);
+phi_36399_ = type_26(_e17746, _e17749);
 }
-let _e17763 = phi_36398_;
+let _e17763 = phi_36399_;
 if _e17611 {
-phi_36449_ = 0u;
+phi_36450_ = 0u;
 } else {
 if (_e17505 == 1u) {
-phi_36448_ = 0u;
+phi_36449_ = 0u;
 } else {
 if (_e17505 == 2u) {
-phi_36447_ = _e17604;
+phi_36448_ = _e17604;
 } else {
-phi_36447_ = select(_e17610, _e17607, (_e17505 == 3u));
+phi_36448_ = select(_e17610, _e17607, (_e17505 == 3u));
 }
-let _e17771 = phi_36447_;
-phi_36448_ = _e17771;
+let _e17771 = phi_36448_;
+phi_36449_ = _e17771;
 }
-let _e17773 = phi_36448_;
-phi_36449_ = _e17773;
+let _e17773 = phi_36449_;
+phi_36450_ = _e17773;
 }
-let _e17775 = phi_36449_;
+let _e17775 = phi_36450_;
 local_118 = (((bitcast<i32>(_e17775) + _e17763.member_1) * _e17601) + _e17763.member);
 let _e17780 = local_118;
 let _e17782 = select(_e17628, _e17780, (_e17780 < _e17628));
@@ -6791,45 +6803,45 @@ let _e17877 = select(0f, _e17868, (((_e17871 >= 0f) && (_e17871 < _e725)) && (_e
 let _e17879 = (_e17746 << bitcast<u32>(_e17506));
 let _e17891 = (_e17562 + 1i);
 if _e17572 {
-phi_37433_ = (_e17522.member - 1i);
+phi_37434_ = (_e17522.member - 1i);
 } else {
-phi_37433_ = _e17571;
+phi_37434_ = _e17571;
 }
-let _e17895 = phi_37433_;
+let _e17895 = phi_37434_;
 let _e17897 = select(_e17891, 0i, (_e17891 < 0i));
 let _e17898 = (_e17897 >= _e17522.member_1);
 if _e17898 {
-phi_37444_ = (_e17522.member_1 - 1i);
+phi_37445_ = (_e17522.member_1 - 1i);
 } else {
-phi_37444_ = _e17897;
+phi_37445_ = _e17897;
 }
-let _e17901 = phi_37444_;
+let _e17901 = phi_37445_;
 let _e17905 = (((f32(_e17895) + 0.5f) * _e17527) - 0.5f);
 let _e17909 = (((f32(_e17901) + 0.5f) * _e17527) - 0.5f);
 if _e487 {
-phi_37472_ = type_25(_e17901, _e17895);
+phi_37473_ = type_26(_e17901, _e17895);
 } else {
-phi_37472_ = type_25(_e17895, _e17901);
+phi_37473_ = type_26(_e17895, _e17901);
 }
-let _e17915 = phi_37472_;
+let _e17915 = phi_37473_;
 if _e17611 {
-phi_37523_ = 0u;
+phi_37524_ = 0u;
 } else {
 if (_e17505 == 1u) {
-phi_37522_ = 0u;
+phi_37523_ = 0u;
 } else {
 if (_e17505 == 2u) {
-phi_37521_ = _e17604;
+phi_37522_ = _e17604;
 } else {
-phi_37521_ = select(_e17610, _e17607, (_e17505 == 3u));
+phi_37522_ = select(_e17610, _e17607, (_e17505 == 3u));
 }
-let _e17923 = phi_37521_;
-phi_37522_ = _e17923;
+let _e17923 = phi_37522_;
+phi_37523_ = _e17923;
 }
-let _e17925 = phi_37522_;
-phi_37523_ = _e17925;
+let _e17925 = phi_37523_;
+phi_37524_ = _e17925;
 }
-let _e17927 = phi_37523_;
+let _e17927 = phi_37524_;
 local_116 = (((bitcast<i32>(_e17927) + _e17915.member_1) * _e17601) + _e17915.member);
 let _e17932 = local_116;
 let _e17934 = select(_e17628, _e17932, (_e17932 < _e17628));
@@ -6863,43 +6875,43 @@ let _e18023 = (((_e18000 * _e17990) - _e17995) * _e18017);
 let _e18029 = select(0f, _e18020, (((_e18023 >= 0f) && (_e18023 < _e725)) && (_e18020 > 0f)));
 let _e18031 = (_e17895 << bitcast<u32>(_e17506));
 if _e17743 {
-phi_38507_ = (_e17522.member - 1i);
+phi_38508_ = (_e17522.member - 1i);
 } else {
-phi_38507_ = _e17742;
+phi_38508_ = _e17742;
 }
-let _e18046 = phi_38507_;
+let _e18046 = phi_38508_;
 if _e17898 {
-phi_38518_ = (_e17522.member_1 - 1i);
+phi_38519_ = (_e17522.member_1 - 1i);
 } else {
-phi_38518_ = _e17897;
+phi_38519_ = _e17897;
 }
-let _e18049 = phi_38518_;
+let _e18049 = phi_38519_;
 let _e18053 = (((f32(_e18046) + 0.5f) * _e17527) - 0.5f);
 let _e18057 = (((f32(_e18049) + 0.5f) * _e17527) - 0.5f);
 if _e487 {
-phi_38546_ = type_25(_e18049, _e18046);
+phi_38547_ = type_26(_e18049, _e18046);
 } else {
-phi_38546_ = type_25(_e18046, _e18049);
+phi_38547_ = type_26(_e18046, _e18049);
 }
-let _e18063 = phi_38546_;
+let _e18063 = phi_38547_;
 if _e17611 {
-phi_38597_ = 0u;
+phi_38598_ = 0u;
 } else {
 if (_e17505 == 1u) {
-phi_38596_ = 0u;
+phi_38597_ = 0u;
 } else {
 if (_e17505 == 2u) {
-phi_38595_ = _e17604;
+phi_38596_ = _e17604;
 } else {
-phi_38595_ = select(_e17610, _e17607, (_e17505 == 3u));
+phi_38596_ = select(_e17610, _e17607, (_e17505 == 3u));
 }
-let _e18071 = phi_38595_;
-phi_38596_ = _e18071;
+let _e18071 = phi_38596_;
+phi_38597_ = _e18071;
 }
-let _e18073 = phi_38596_;
-phi_38597_ = _e18073;
+let _e18073 = phi_38597_;
+phi_38598_ = _e18073;
 }
-let _e18075 = phi_38597_;
+let _e18075 = phi_38598_;
 local_114 = (((bitcast<i32>(_e18075) + _e18063.member_1) * _e17601) + _e18063.member);
 let _e18080 = local_114;
 let _e18082 = select(_e17628, _e18080, (_e18080 < _e17628));
@@ -6934,11 +6946,11 @@ let _e18177 = select(0f, _e18168, (((_e18171 >= 0f) && (_e18171 < _e725)) && (_e
 let _e18179 = (_e18046 << bitcast<u32>(_e17506));
 let _e18191 = select(((((1f - select(0f, (_e17567 * _e17568), (((select(select(_e800, _e957, (_e17727 >= _e726)), _e879, (_e17727 < _e332)) == _e17505) && (_e17725 > 0f)) && (_e17725 < _e17635)))) - select(0f, (_e17564 * _e17568), (((select(select(_e800, _e957, (_e17879 >= _e726)), _e879, (_e17879 < _e332)) == _e17505) && (_e17877 > 0f)) && (_e17877 < _e17787)))) - select(0f, (_e17567 * _e17566), (((select(select(_e800, _e957, (_e18031 >= _e726)), _e879, (_e18031 < _e332)) == _e17505) && (_e18029 > 0f)) && (_e18029 < _e17939)))) - select(0f, (_e17564 * _e17566), (((select(select(_e800, _e957, (_e18179 >= _e726)), _e879, (_e18179 < _e332)) == _e17505) && (_e18177 > 0f)) && (_e18177 < _e18087)))), 1f, _e17611);
 if _e487 {
-phi_39590_ = type_25(_e16640, _e16547);
+phi_39591_ = type_26(_e16640, _e16547);
 } else {
-phi_39590_ = type_25(_e16547, _e16640);
+phi_39591_ = type_26(_e16547, _e16640);
 }
-let _e18206 = phi_39590_;
+let _e18206 = phi_39591_;
 let _e18209 = (_e16641 && (((_e17503 > 0f) && (_e17503 < _e16731)) && (bitcast<f32>((bitcast<u32>(_e18191) & 2147483647u)) > 1e-6f)));
 let _e18212 = global_1.member.member_18.member;
 let _e18213 = (((select(_e16666, (1f - _e16666), (_e16651 >= 0f)) - select(_e16685, (1f - _e16685), (_e16670 >= 0f))) * (1f / _e16648)) * _e18212);
@@ -6979,11 +6991,11 @@ if ((_e18247 | _e18254) == 0u) {
 let _e18330 = bitcast<u32>(_e18327);
 if (_e18330 < _e304) {
 let _e18334 = atomicAdd((&global_8.member[_e18330]), _e18247);
-phi_39823_ = _e18334;
+phi_39824_ = _e18334;
 } else {
-phi_39823_ = 0u;
+phi_39824_ = 0u;
 }
-let _e18336 = phi_39823_;
+let _e18336 = phi_39824_;
 let _e18340 = (_e18254 + select(0u, 1u, ((_e18336 + _e18247) < _e18247)));
 if (_e18340 == 0u) {
 } else {
@@ -6998,11 +7010,11 @@ if ((_e18281 | _e18288) == 0u) {
 let _e18350 = bitcast<u32>((_e18327 + 2i));
 if (_e18350 < _e304) {
 let _e18354 = atomicAdd((&global_8.member[_e18350]), _e18281);
-phi_39853_ = _e18354;
+phi_39854_ = _e18354;
 } else {
-phi_39853_ = 0u;
+phi_39854_ = 0u;
 }
-let _e18356 = phi_39853_;
+let _e18356 = phi_39854_;
 let _e18360 = (_e18288 + select(0u, 1u, ((_e18356 + _e18281) < _e18281)));
 if (_e18360 == 0u) {
 } else {
@@ -7017,11 +7029,11 @@ if ((_e18315 | _e18322) == 0u) {
 let _e18370 = bitcast<u32>((_e18327 + 4i));
 if (_e18370 < _e304) {
 let _e18374 = atomicAdd((&global_8.member[_e18370]), _e18315);
-phi_39883_ = _e18374;
+phi_39884_ = _e18374;
 } else {
-phi_39883_ = 0u;
+phi_39884_ = 0u;
 }
-let _e18376 = phi_39883_;
+let _e18376 = phi_39884_;
 let _e18380 = (_e18322 + select(0u, 1u, ((_e18376 + _e18315) < _e18315)));
 if (_e18380 == 0u) {
 } else {
@@ -7031,32 +7043,32 @@ let _e18386 = atomicAdd((&global_8.member[_e18382]), _e18380);
 }
 }
 }
-phi_33796_ = (_e16638 + 1i);
+phi_33797_ = (_e16638 + 1i);
 } else {
-phi_33796_ = i32();
+phi_33797_ = i32();
 }
-let _e18389 = phi_33796_;
+let _e18389 = phi_33797_;
 continue;
 continuing {
-phi_33795_ = _e18389;
+phi_33796_ = _e18389;
 break if !(_e16641);
 }
 }
-phi_33642_ = (_e16544 + 1i);
+phi_33643_ = (_e16544 + 1i);
 } else {
-phi_33642_ = i32();
+phi_33643_ = i32();
 }
-let _e18393 = phi_33642_;
+let _e18393 = phi_33643_;
 continue;
 continuing {
-phi_33641_ = _e18393;
+phi_33642_ = _e18393;
 break if !(_e16545);
 }
 }
 } else {
-phi_39928_ = 0i;
+phi_39929_ = 0i;
 loop {
-let _e13366 = phi_39928_;
+let _e13366 = phi_39929_;
 let _e13367 = (_e13366 < 16i);
 if _e13367 {
 let _e13369 = (_e11992 + (_e13366 & 15i));
@@ -7087,9 +7099,9 @@ let _e13454 = select(_e13446, _e13452, (_e13452 > _e13446));
 let _e13456 = (0.5f * (_e13450 + _e13454));
 let _e13457 = (0.5f / _e13454);
 let _e13458 = (1f / _e13450);
-phi_40082_ = 0i;
+phi_40083_ = 0i;
 loop {
-let _e13460 = phi_40082_;
+let _e13460 = phi_40083_;
 let _e13462 = (((_e13435 - select(0i, 1i, (_e13428 < f32(_e13435)))) + (_e13366 >> bitcast<u32>(4u))) + bitcast<i32>(_e13460));
 let _e13463 = (_e13462 <= select(-1i, (_e13418 - select(0i, 1i, (_e13411 < f32(_e13418)))), (_e13369 <= _e11996)));
 if _e13463 {
@@ -7112,11 +7124,11 @@ let _e13500 = select(_e13454, _e13498, (_e13498 < _e13454));
 let _e13503 = (_e13496 - _e13454);
 let _e13507 = (((_e13500 * (_e13500 * _e13457)) + select(0f, _e13503, (_e13503 > 0f))) * _e13458);
 if _e487 {
-phi_40187_ = type_25(_e13462, _e13369);
+phi_40188_ = type_26(_e13462, _e13369);
 } else {
-phi_40187_ = type_25(_e13369, _e13462);
+phi_40188_ = type_26(_e13369, _e13462);
 }
-let _e13516 = phi_40187_;
+let _e13516 = phi_40188_;
 let _e13520 = bitcast<i32>((_e11943 * _e11946));
 local_112 = _e13520;
 local_113 = ((_e13516.member_1 * _e11947) + _e13516.member);
@@ -7199,11 +7211,11 @@ let _e13741 = global_2.member[bitcast<u32>(select(0i, _e13736, (_e13736 > 0i)))]
 let _e13743 = (_e13731 + (_e13727 + 1i));
 let _e13745 = select(_e13734, _e13743, (_e13743 < _e13734));
 let _e13750 = global_2.member[bitcast<u32>(select(0i, _e13745, (_e13745 > 0i)))];
-phi_40614_ = (_e13741 + ((_e13750 - _e13741) * (_e13711 - f32(_e13727))));
+phi_40615_ = (_e13741 + ((_e13750 - _e13741) * (_e13711 - f32(_e13727))));
 } else {
-phi_40614_ = select(((1f - _e13682) / (_e13688 * sqrt(select(0f, _e13688, (_e13688 > 0f))))), (0.75f * (1f + (_e13678 * _e13678))), (_e13700 == 1u));
+phi_40615_ = select(((1f - _e13682) / (_e13688 * sqrt(select(0f, _e13688, (_e13688 > 0f))))), (0.75f * (1f + (_e13678 * _e13678))), (_e13700 == 1u));
 }
-let _e13757 = phi_40614_;
+let _e13757 = phi_40615_;
 let _e13769 = global_1.member.member_13.member_7;
 let _e13770 = bitcast<i32>(_e13769);
 let _e13773 = global_1.member.member_13.member_8;
@@ -7245,29 +7257,29 @@ local_110 = (_e13801 - f32(_e13838));
 let _e13875 = (_e13838 + 1i);
 let _e13877 = select(_e13875, 0i, (_e13875 < 0i));
 if (_e13877 >= _e13770) {
-phi_40746_ = (_e13770 - 1i);
+phi_40747_ = (_e13770 - 1i);
 } else {
-phi_40746_ = _e13877;
+phi_40747_ = _e13877;
 }
-let _e13881 = phi_40746_;
+let _e13881 = phi_40747_;
 local_111 = (_e13881 - _e13838);
 let _e13883 = (_e13853 + 1i);
 let _e13885 = select(_e13883, 0i, (_e13883 < 0i));
 if (_e13885 >= _e13774) {
-phi_40759_ = (_e13774 - 1i);
+phi_40760_ = (_e13774 - 1i);
 } else {
-phi_40759_ = _e13885;
+phi_40760_ = _e13885;
 }
-let _e13889 = phi_40759_;
+let _e13889 = phi_40760_;
 let _e13891 = ((_e13889 - _e13853) * _e13770);
 let _e13892 = (_e13868 + 1i);
 let _e13894 = select(_e13892, 0i, (_e13892 < 0i));
 if (_e13894 >= _e13778) {
-phi_40773_ = (_e13778 - 1i);
+phi_40774_ = (_e13778 - 1i);
 } else {
-phi_40773_ = _e13894;
+phi_40774_ = _e13894;
 }
-let _e13898 = phi_40773_;
+let _e13898 = phi_40774_;
 let _e13904 = global_1.member.member_13.member_10;
 let _e13910 = ((bitcast<i32>(_e13904) + (((_e13868 * _e13774) + _e13853) * _e13770)) + _e13838);
 let _e13912 = (bitcast<i32>(_e299) - 1i);
@@ -7334,11 +7346,11 @@ let _e14067 = ((_e14062 + ((_e14059 - 1i) * _e14063)) + _e14066);
 let _e14069 = (bitcast<i32>(_e302) - 1i);
 let _e14071 = select(_e14069, _e14067, (_e14067 < _e14069));
 let _e14076 = global_7.member[bitcast<u32>(select(0i, _e14071, (_e14071 > 0i)))];
-phi_41077_ = _e14076;
+phi_41078_ = _e14076;
 } else {
-phi_41077_ = 0f;
+phi_41078_ = 0f;
 }
-let _e14078 = phi_41077_;
+let _e14078 = phi_41078_;
 let _e14079 = local_107;
 let _e14080 = local_109;
 let _e14083 = local_108;
@@ -7364,11 +7376,11 @@ let _e14130 = local_105;
 let _e14131 = ((_e14126 + ((_e14123 - 1i) * _e14127)) + _e14130);
 let _e14133 = select(_e14086, _e14131, (_e14131 < _e14086));
 let _e14138 = global_7.member[bitcast<u32>(select(0i, _e14133, (_e14133 > 0i)))];
-phi_41204_ = _e14138;
+phi_41205_ = _e14138;
 } else {
-phi_41204_ = 0f;
+phi_41205_ = 0f;
 }
-let _e14140 = phi_41204_;
+let _e14140 = phi_41205_;
 let _e14141 = local_104;
 let _e14142 = local_106;
 let _e14145 = local_105;
@@ -7410,11 +7422,11 @@ let _e14289 = ((_e14267 - (_e14285 * 0.6933594f)) - (_e14285 * -2.1219444e-4f));
 let _e14312 = global_1.member.member_13.member_1;
 let _e14325 = select(0f, _e13669, (((_e13672 >= 0f) && (_e13672 < _e725)) && (_e13669 > 0f)));
 if _e487 {
-phi_41492_ = type_25(_e12011, _e12010);
+phi_41493_ = type_26(_e12011, _e12010);
 } else {
-phi_41492_ = type_25(_e12010, _e12011);
+phi_41493_ = type_26(_e12010, _e12011);
 }
-let _e14329 = phi_41492_;
+let _e14329 = phi_41493_;
 let _e14334 = f32((1i << bitcast<u32>(_e11999)));
 let _e14335 = (1f / _e14334);
 let _e14337 = ((_e13371 * _e14335) - 0.5f);
@@ -7434,49 +7446,49 @@ let _e14375 = (1f - _e14373);
 let _e14378 = select(_e14354, 0i, (_e14354 < 0i));
 let _e14379 = (_e14378 >= _e14329.member);
 if _e14379 {
-phi_41570_ = (_e14329.member - 1i);
+phi_41571_ = (_e14329.member - 1i);
 } else {
-phi_41570_ = _e14378;
+phi_41571_ = _e14378;
 }
-let _e14382 = phi_41570_;
+let _e14382 = phi_41571_;
 let _e14384 = select(_e14369, 0i, (_e14369 < 0i));
 let _e14385 = (_e14384 >= _e14329.member_1);
 if _e14385 {
-phi_41581_ = (_e14329.member_1 - 1i);
+phi_41582_ = (_e14329.member_1 - 1i);
 } else {
-phi_41581_ = _e14384;
+phi_41582_ = _e14384;
 }
-let _e14388 = phi_41581_;
+let _e14388 = phi_41582_;
 let _e14392 = (((f32(_e14382) + 0.5f) * _e14334) - 0.5f);
 let _e14396 = (((f32(_e14388) + 0.5f) * _e14334) - 0.5f);
 if _e487 {
-phi_41609_ = type_25(_e14388, _e14382);
+phi_41610_ = type_26(_e14388, _e14382);
 } else {
-phi_41609_ = type_25(_e14382, _e14388);
+phi_41610_ = type_26(_e14382, _e14388);
 }
-let _e14402 = phi_41609_;
+let _e14402 = phi_41610_;
 let _e14408 = bitcast<i32>(((_e11943 + 1u) >> bitcast<u32>(1u)));
 let _e14411 = global_1.member.member_18.member_6;
 let _e14414 = global_1.member.member_18.member_7;
 let _e14417 = global_1.member.member_18.member_8;
 if _e11998 {
-phi_41660_ = 0u;
+phi_41661_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_41659_ = 0u;
+phi_41660_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_41658_ = _e14411;
+phi_41659_ = _e14411;
 } else {
-phi_41658_ = select(_e14417, _e14414, (_e800 == 3u));
+phi_41659_ = select(_e14417, _e14414, (_e800 == 3u));
 }
-let _e14423 = phi_41658_;
-phi_41659_ = _e14423;
+let _e14423 = phi_41659_;
+phi_41660_ = _e14423;
 }
-let _e14425 = phi_41659_;
-phi_41660_ = _e14425;
+let _e14425 = phi_41660_;
+phi_41661_ = _e14425;
 }
-let _e14427 = phi_41660_;
+let _e14427 = phi_41661_;
 local_102 = (((bitcast<i32>(_e14427) + _e14402.member_1) * _e14408) + _e14402.member);
 let _e14432 = local_102;
 let _e14434 = (bitcast<i32>(_e296) - 1i);
@@ -7514,43 +7526,43 @@ let _e14545 = (_e14354 + 1i);
 let _e14548 = select(_e14545, 0i, (_e14545 < 0i));
 let _e14549 = (_e14548 >= _e14329.member);
 if _e14549 {
-phi_42644_ = (_e14329.member - 1i);
+phi_42645_ = (_e14329.member - 1i);
 } else {
-phi_42644_ = _e14548;
+phi_42645_ = _e14548;
 }
-let _e14552 = phi_42644_;
+let _e14552 = phi_42645_;
 if _e14385 {
-phi_42655_ = (_e14329.member_1 - 1i);
+phi_42656_ = (_e14329.member_1 - 1i);
 } else {
-phi_42655_ = _e14384;
+phi_42656_ = _e14384;
 }
-let _e14555 = phi_42655_;
+let _e14555 = phi_42656_;
 let _e14559 = (((f32(_e14552) + 0.5f) * _e14334) - 0.5f);
 let _e14563 = (((f32(_e14555) + 0.5f) * _e14334) - 0.5f);
 if _e487 {
-phi_42683_ = type_25(_e14555, _e14552);
+phi_42684_ = type_26(_e14555, _e14552);
 } else {
-phi_42683_ = type_25(_e14552, _e14555);
+phi_42684_ = type_26(_e14552, _e14555);
 }
-let _e14569 = phi_42683_;
+let _e14569 = phi_42684_;
 if _e11998 {
-phi_42734_ = 0u;
+phi_42735_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_42733_ = 0u;
+phi_42734_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_42732_ = _e14411;
+phi_42733_ = _e14411;
 } else {
-phi_42732_ = select(_e14417, _e14414, (_e800 == 3u));
+phi_42733_ = select(_e14417, _e14414, (_e800 == 3u));
 }
-let _e14577 = phi_42732_;
-phi_42733_ = _e14577;
+let _e14577 = phi_42733_;
+phi_42734_ = _e14577;
 }
-let _e14579 = phi_42733_;
-phi_42734_ = _e14579;
+let _e14579 = phi_42734_;
+phi_42735_ = _e14579;
 }
-let _e14581 = phi_42734_;
+let _e14581 = phi_42735_;
 local_100 = (((bitcast<i32>(_e14581) + _e14569.member_1) * _e14408) + _e14569.member);
 let _e14586 = local_100;
 let _e14588 = select(_e14434, _e14586, (_e14586 < _e14434));
@@ -7585,45 +7597,45 @@ let _e14683 = select(0f, _e14674, (((_e14677 >= 0f) && (_e14677 < _e725)) && (_e
 let _e14685 = (_e14552 << bitcast<u32>(_e11999));
 let _e14697 = (_e14369 + 1i);
 if _e14379 {
-phi_43718_ = (_e14329.member - 1i);
+phi_43719_ = (_e14329.member - 1i);
 } else {
-phi_43718_ = _e14378;
+phi_43719_ = _e14378;
 }
-let _e14701 = phi_43718_;
+let _e14701 = phi_43719_;
 let _e14703 = select(_e14697, 0i, (_e14697 < 0i));
 let _e14704 = (_e14703 >= _e14329.member_1);
 if _e14704 {
-phi_43729_ = (_e14329.member_1 - 1i);
+phi_43730_ = (_e14329.member_1 - 1i);
 } else {
-phi_43729_ = _e14703;
+phi_43730_ = _e14703;
 }
-let _e14707 = phi_43729_;
+let _e14707 = phi_43730_;
 let _e14711 = (((f32(_e14701) + 0.5f) * _e14334) - 0.5f);
 let _e14715 = (((f32(_e14707) + 0.5f) * _e14334) - 0.5f);
 if _e487 {
-phi_43757_ = type_25(_e14707, _e14701);
+phi_43758_ = type_26(_e14707, _e14701);
 } else {
-phi_43757_ = type_25(_e14701, _e14707);
+phi_43758_ = type_26(_e14701, _e14707);
 }
-let _e14721 = phi_43757_;
+let _e14721 = phi_43758_;
 if _e11998 {
-phi_43808_ = 0u;
+phi_43809_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_43807_ = 0u;
+phi_43808_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_43806_ = _e14411;
+phi_43807_ = _e14411;
 } else {
-phi_43806_ = select(_e14417, _e14414, (_e800 == 3u));
+phi_43807_ = select(_e14417, _e14414, (_e800 == 3u));
 }
-let _e14729 = phi_43806_;
-phi_43807_ = _e14729;
+let _e14729 = phi_43807_;
+phi_43808_ = _e14729;
 }
-let _e14731 = phi_43807_;
-phi_43808_ = _e14731;
+let _e14731 = phi_43808_;
+phi_43809_ = _e14731;
 }
-let _e14733 = phi_43808_;
+let _e14733 = phi_43809_;
 local_98 = (((bitcast<i32>(_e14733) + _e14721.member_1) * _e14408) + _e14721.member);
 let _e14738 = local_98;
 let _e14740 = select(_e14434, _e14738, (_e14738 < _e14434));
@@ -7657,43 +7669,43 @@ let _e14829 = (((_e14806 * _e14796) - _e14801) * _e14823);
 let _e14835 = select(0f, _e14826, (((_e14829 >= 0f) && (_e14829 < _e725)) && (_e14826 > 0f)));
 let _e14837 = (_e14701 << bitcast<u32>(_e11999));
 if _e14549 {
-phi_44792_ = (_e14329.member - 1i);
+phi_44793_ = (_e14329.member - 1i);
 } else {
-phi_44792_ = _e14548;
+phi_44793_ = _e14548;
 }
-let _e14852 = phi_44792_;
+let _e14852 = phi_44793_;
 if _e14704 {
-phi_44803_ = (_e14329.member_1 - 1i);
+phi_44804_ = (_e14329.member_1 - 1i);
 } else {
-phi_44803_ = _e14703;
+phi_44804_ = _e14703;
 }
-let _e14855 = phi_44803_;
+let _e14855 = phi_44804_;
 let _e14859 = (((f32(_e14852) + 0.5f) * _e14334) - 0.5f);
 let _e14863 = (((f32(_e14855) + 0.5f) * _e14334) - 0.5f);
 if _e487 {
-phi_44831_ = type_25(_e14855, _e14852);
+phi_44832_ = type_26(_e14855, _e14852);
 } else {
-phi_44831_ = type_25(_e14852, _e14855);
+phi_44832_ = type_26(_e14852, _e14855);
 }
-let _e14869 = phi_44831_;
+let _e14869 = phi_44832_;
 if _e11998 {
-phi_44882_ = 0u;
+phi_44883_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_44881_ = 0u;
+phi_44882_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_44880_ = _e14411;
+phi_44881_ = _e14411;
 } else {
-phi_44880_ = select(_e14417, _e14414, (_e800 == 3u));
+phi_44881_ = select(_e14417, _e14414, (_e800 == 3u));
 }
-let _e14877 = phi_44880_;
-phi_44881_ = _e14877;
+let _e14877 = phi_44881_;
+phi_44882_ = _e14877;
 }
-let _e14879 = phi_44881_;
-phi_44882_ = _e14879;
+let _e14879 = phi_44882_;
+phi_44883_ = _e14879;
 }
-let _e14881 = phi_44882_;
+let _e14881 = phi_44883_;
 local_96 = (((bitcast<i32>(_e14881) + _e14869.member_1) * _e14408) + _e14869.member);
 let _e14886 = local_96;
 let _e14888 = select(_e14434, _e14886, (_e14886 < _e14434));
@@ -7732,11 +7744,11 @@ let _e15000 = (1u << bitcast<u32>(_e14998));
 let _e15009 = bitcast<i32>((((_e11943 + _e15000) - 1u) >> bitcast<u32>(_e14998)));
 let _e15010 = bitcast<i32>((((_e11946 + _e15000) - 1u) >> bitcast<u32>(_e14998)));
 if _e487 {
-phi_45884_ = type_25(_e15010, _e15009);
+phi_45885_ = type_26(_e15010, _e15009);
 } else {
-phi_45884_ = type_25(_e15009, _e15010);
+phi_45885_ = type_26(_e15009, _e15010);
 }
-let _e15014 = phi_45884_;
+let _e15014 = phi_45885_;
 let _e15019 = f32((1i << bitcast<u32>(_e14998)));
 let _e15020 = (1f / _e15019);
 let _e15022 = ((_e13371 * _e15020) - 0.5f);
@@ -7756,46 +7768,46 @@ let _e15060 = (1f - _e15058);
 let _e15063 = select(_e15039, 0i, (_e15039 < 0i));
 let _e15064 = (_e15063 >= _e15014.member);
 if _e15064 {
-phi_45962_ = (_e15014.member - 1i);
+phi_45963_ = (_e15014.member - 1i);
 } else {
-phi_45962_ = _e15063;
+phi_45963_ = _e15063;
 }
-let _e15067 = phi_45962_;
+let _e15067 = phi_45963_;
 let _e15069 = select(_e15054, 0i, (_e15054 < 0i));
 let _e15070 = (_e15069 >= _e15014.member_1);
 if _e15070 {
-phi_45973_ = (_e15014.member_1 - 1i);
+phi_45974_ = (_e15014.member_1 - 1i);
 } else {
-phi_45973_ = _e15069;
+phi_45974_ = _e15069;
 }
-let _e15073 = phi_45973_;
+let _e15073 = phi_45974_;
 let _e15077 = (((f32(_e15067) + 0.5f) * _e15019) - 0.5f);
 let _e15081 = (((f32(_e15073) + 0.5f) * _e15019) - 0.5f);
 if _e487 {
-phi_46001_ = type_25(_e15073, _e15067);
+phi_46002_ = type_26(_e15073, _e15067);
 } else {
-phi_46001_ = type_25(_e15067, _e15073);
+phi_46002_ = type_26(_e15067, _e15073);
 }
-let _e15087 = phi_46001_;
+let _e15087 = phi_46002_;
 let _e15090 = (_e13350 == 0u);
 if _e15090 {
-phi_46052_ = 0u;
+phi_46053_ = 0u;
 } else {
 if (_e13350 == 1u) {
-phi_46051_ = 0u;
+phi_46052_ = 0u;
 } else {
 if (_e13350 == 2u) {
-phi_46050_ = _e14411;
+phi_46051_ = _e14411;
 } else {
-phi_46050_ = select(_e14417, _e14414, (_e13350 == 3u));
+phi_46051_ = select(_e14417, _e14414, (_e13350 == 3u));
 }
-let _e15096 = phi_46050_;
-phi_46051_ = _e15096;
+let _e15096 = phi_46051_;
+phi_46052_ = _e15096;
 }
-let _e15098 = phi_46051_;
-phi_46052_ = _e15098;
+let _e15098 = phi_46052_;
+phi_46053_ = _e15098;
 }
-let _e15100 = phi_46052_;
+let _e15100 = phi_46053_;
 local_94 = (((bitcast<i32>(_e15100) + _e15087.member_1) * _e14408) + _e15087.member);
 let _e15105 = local_94;
 let _e15107 = select(_e14434, _e15105, (_e15105 < _e14434));
@@ -7832,43 +7844,43 @@ let _e15216 = (_e15039 + 1i);
 let _e15219 = select(_e15216, 0i, (_e15216 < 0i));
 let _e15220 = (_e15219 >= _e15014.member);
 if _e15220 {
-phi_47036_ = (_e15014.member - 1i);
+phi_47037_ = (_e15014.member - 1i);
 } else {
-phi_47036_ = _e15219;
+phi_47037_ = _e15219;
 }
-let _e15223 = phi_47036_;
+let _e15223 = phi_47037_;
 if _e15070 {
-phi_47047_ = (_e15014.member_1 - 1i);
+phi_47048_ = (_e15014.member_1 - 1i);
 } else {
-phi_47047_ = _e15069;
+phi_47048_ = _e15069;
 }
-let _e15226 = phi_47047_;
+let _e15226 = phi_47048_;
 let _e15230 = (((f32(_e15223) + 0.5f) * _e15019) - 0.5f);
 let _e15234 = (((f32(_e15226) + 0.5f) * _e15019) - 0.5f);
 if _e487 {
-phi_47075_ = type_25(_e15226, _e15223);
+phi_47076_ = type_26(_e15226, _e15223);
 } else {
-phi_47075_ = type_25(_e15223, _e15226);
+phi_47076_ = type_26(_e15223, _e15226);
 }
-let _e15240 = phi_47075_;
+let _e15240 = phi_47076_;
 if _e15090 {
-phi_47126_ = 0u;
+phi_47127_ = 0u;
 } else {
 if (_e13350 == 1u) {
-phi_47125_ = 0u;
+phi_47126_ = 0u;
 } else {
 if (_e13350 == 2u) {
-phi_47124_ = _e14411;
+phi_47125_ = _e14411;
 } else {
-phi_47124_ = select(_e14417, _e14414, (_e13350 == 3u));
+phi_47125_ = select(_e14417, _e14414, (_e13350 == 3u));
 }
-let _e15248 = phi_47124_;
-phi_47125_ = _e15248;
+let _e15248 = phi_47125_;
+phi_47126_ = _e15248;
 }
-let _e15250 = phi_47125_;
-phi_47126_ = _e15250;
+let _e15250 = phi_47126_;
+phi_47127_ = _e15250;
 }
-let _e15252 = phi_47126_;
+let _e15252 = phi_47127_;
 local_92 = (((bitcast<i32>(_e15252) + _e15240.member_1) * _e14408) + _e15240.member);
 let _e15257 = local_92;
 let _e15259 = select(_e14434, _e15257, (_e15257 < _e14434));
@@ -7903,45 +7915,45 @@ let _e15354 = select(0f, _e15345, (((_e15348 >= 0f) && (_e15348 < _e725)) && (_e
 let _e15356 = (_e15223 << bitcast<u32>(_e14998));
 let _e15368 = (_e15054 + 1i);
 if _e15064 {
-phi_48110_ = (_e15014.member - 1i);
+phi_48111_ = (_e15014.member - 1i);
 } else {
-phi_48110_ = _e15063;
+phi_48111_ = _e15063;
 }
-let _e15372 = phi_48110_;
+let _e15372 = phi_48111_;
 let _e15374 = select(_e15368, 0i, (_e15368 < 0i));
 let _e15375 = (_e15374 >= _e15014.member_1);
 if _e15375 {
-phi_48121_ = (_e15014.member_1 - 1i);
+phi_48122_ = (_e15014.member_1 - 1i);
 } else {
-phi_48121_ = _e15374;
+phi_48122_ = _e15374;
 }
-let _e15378 = phi_48121_;
+let _e15378 = phi_48122_;
 let _e15382 = (((f32(_e15372) + 0.5f) * _e15019) - 0.5f);
 let _e15386 = (((f32(_e15378) + 0.5f) * _e15019) - 0.5f);
 if _e487 {
-phi_48149_ = type_25(_e15378, _e15372);
+phi_48150_ = type_26(_e15378, _e15372);
 } else {
-phi_48149_ = type_25(_e15372, _e15378);
+phi_48150_ = type_26(_e15372, _e15378);
 }
-let _e15392 = phi_48149_;
+let _e15392 = phi_48150_;
 if _e15090 {
-phi_48200_ = 0u;
+phi_48201_ = 0u;
 } else {
 if (_e13350 == 1u) {
-phi_48199_ = 0u;
+phi_48200_ = 0u;
 } else {
 if (_e13350 == 2u) {
-phi_48198_ = _e14411;
+phi_48199_ = _e14411;
 } else {
-phi_48198_ = select(_e14417, _e14414, (_e13350 == 3u));
+phi_48199_ = select(_e14417, _e14414, (_e13350 == 3u));
 }
-let _e15400 = phi_48198_;
-phi_48199_ = _e15400;
+let _e15400 = phi_48199_;
+phi_48200_ = _e15400;
 }
-let _e15402 = phi_48199_;
-phi_48200_ = _e15402;
+let _e15402 = phi_48200_;
+phi_48201_ = _e15402;
 }
-let _e15404 = phi_48200_;
+let _e15404 = phi_48201_;
 local_90 = (((bitcast<i32>(_e15404) + _e15392.member_1) * _e14408) + _e15392.member);
 let _e15409 = local_90;
 let _e15411 = select(_e14434, _e15409, (_e15409 < _e14434));
@@ -7975,43 +7987,43 @@ let _e15500 = (((_e15477 * _e15467) - _e15472) * _e15494);
 let _e15506 = select(0f, _e15497, (((_e15500 >= 0f) && (_e15500 < _e725)) && (_e15497 > 0f)));
 let _e15508 = (_e15372 << bitcast<u32>(_e14998));
 if _e15220 {
-phi_49184_ = (_e15014.member - 1i);
+phi_49185_ = (_e15014.member - 1i);
 } else {
-phi_49184_ = _e15219;
+phi_49185_ = _e15219;
 }
-let _e15523 = phi_49184_;
+let _e15523 = phi_49185_;
 if _e15375 {
-phi_49195_ = (_e15014.member_1 - 1i);
+phi_49196_ = (_e15014.member_1 - 1i);
 } else {
-phi_49195_ = _e15374;
+phi_49196_ = _e15374;
 }
-let _e15526 = phi_49195_;
+let _e15526 = phi_49196_;
 let _e15530 = (((f32(_e15523) + 0.5f) * _e15019) - 0.5f);
 let _e15534 = (((f32(_e15526) + 0.5f) * _e15019) - 0.5f);
 if _e487 {
-phi_49223_ = type_25(_e15526, _e15523);
+phi_49224_ = type_26(_e15526, _e15523);
 } else {
-phi_49223_ = type_25(_e15523, _e15526);
+phi_49224_ = type_26(_e15523, _e15526);
 }
-let _e15540 = phi_49223_;
+let _e15540 = phi_49224_;
 if _e15090 {
-phi_49274_ = 0u;
+phi_49275_ = 0u;
 } else {
 if (_e13350 == 1u) {
-phi_49273_ = 0u;
+phi_49274_ = 0u;
 } else {
 if (_e13350 == 2u) {
-phi_49272_ = _e14411;
+phi_49273_ = _e14411;
 } else {
-phi_49272_ = select(_e14417, _e14414, (_e13350 == 3u));
+phi_49273_ = select(_e14417, _e14414, (_e13350 == 3u));
 }
-let _e15548 = phi_49272_;
-phi_49273_ = _e15548;
+let _e15548 = phi_49273_;
+phi_49274_ = _e15548;
 }
-let _e15550 = phi_49273_;
-phi_49274_ = _e15550;
+let _e15550 = phi_49274_;
+phi_49275_ = _e15550;
 }
-let _e15552 = phi_49274_;
+let _e15552 = phi_49275_;
 local_88 = (((bitcast<i32>(_e15552) + _e15540.member_1) * _e14408) + _e15540.member);
 let _e15557 = local_88;
 let _e15559 = select(_e14434, _e15557, (_e15557 < _e14434));
@@ -8050,11 +8062,11 @@ let _e15671 = (1u << bitcast<u32>(_e15669));
 let _e15680 = bitcast<i32>((((_e11943 + _e15671) - 1u) >> bitcast<u32>(_e15669)));
 let _e15681 = bitcast<i32>((((_e11946 + _e15671) - 1u) >> bitcast<u32>(_e15669)));
 if _e487 {
-phi_50276_ = type_25(_e15681, _e15680);
+phi_50277_ = type_26(_e15681, _e15680);
 } else {
-phi_50276_ = type_25(_e15680, _e15681);
+phi_50277_ = type_26(_e15680, _e15681);
 }
-let _e15685 = phi_50276_;
+let _e15685 = phi_50277_;
 let _e15690 = f32((1i << bitcast<u32>(_e15669)));
 let _e15691 = (1f / _e15690);
 let _e15693 = ((_e13371 * _e15691) - 0.5f);
@@ -8074,46 +8086,46 @@ let _e15731 = (1f - _e15729);
 let _e15734 = select(_e15710, 0i, (_e15710 < 0i));
 let _e15735 = (_e15734 >= _e15685.member);
 if _e15735 {
-phi_50354_ = (_e15685.member - 1i);
+phi_50355_ = (_e15685.member - 1i);
 } else {
-phi_50354_ = _e15734;
+phi_50355_ = _e15734;
 }
-let _e15738 = phi_50354_;
+let _e15738 = phi_50355_;
 let _e15740 = select(_e15725, 0i, (_e15725 < 0i));
 let _e15741 = (_e15740 >= _e15685.member_1);
 if _e15741 {
-phi_50365_ = (_e15685.member_1 - 1i);
+phi_50366_ = (_e15685.member_1 - 1i);
 } else {
-phi_50365_ = _e15740;
+phi_50366_ = _e15740;
 }
-let _e15744 = phi_50365_;
+let _e15744 = phi_50366_;
 let _e15748 = (((f32(_e15738) + 0.5f) * _e15690) - 0.5f);
 let _e15752 = (((f32(_e15744) + 0.5f) * _e15690) - 0.5f);
 if _e487 {
-phi_50393_ = type_25(_e15744, _e15738);
+phi_50394_ = type_26(_e15744, _e15738);
 } else {
-phi_50393_ = type_25(_e15738, _e15744);
+phi_50394_ = type_26(_e15738, _e15744);
 }
-let _e15758 = phi_50393_;
+let _e15758 = phi_50394_;
 let _e15761 = (_e13354 == 0u);
 if _e15761 {
-phi_50444_ = 0u;
+phi_50445_ = 0u;
 } else {
 if (_e13354 == 1u) {
-phi_50443_ = 0u;
+phi_50444_ = 0u;
 } else {
 if (_e13354 == 2u) {
-phi_50442_ = _e14411;
+phi_50443_ = _e14411;
 } else {
-phi_50442_ = select(_e14417, _e14414, (_e13354 == 3u));
+phi_50443_ = select(_e14417, _e14414, (_e13354 == 3u));
 }
-let _e15767 = phi_50442_;
-phi_50443_ = _e15767;
+let _e15767 = phi_50443_;
+phi_50444_ = _e15767;
 }
-let _e15769 = phi_50443_;
-phi_50444_ = _e15769;
+let _e15769 = phi_50444_;
+phi_50445_ = _e15769;
 }
-let _e15771 = phi_50444_;
+let _e15771 = phi_50445_;
 local_86 = (((bitcast<i32>(_e15771) + _e15758.member_1) * _e14408) + _e15758.member);
 let _e15776 = local_86;
 let _e15778 = select(_e14434, _e15776, (_e15776 < _e14434));
@@ -8150,43 +8162,43 @@ let _e15887 = (_e15710 + 1i);
 let _e15890 = select(_e15887, 0i, (_e15887 < 0i));
 let _e15891 = (_e15890 >= _e15685.member);
 if _e15891 {
-phi_51428_ = (_e15685.member - 1i);
+phi_51429_ = (_e15685.member - 1i);
 } else {
-phi_51428_ = _e15890;
+phi_51429_ = _e15890;
 }
-let _e15894 = phi_51428_;
+let _e15894 = phi_51429_;
 if _e15741 {
-phi_51439_ = (_e15685.member_1 - 1i);
+phi_51440_ = (_e15685.member_1 - 1i);
 } else {
-phi_51439_ = _e15740;
+phi_51440_ = _e15740;
 }
-let _e15897 = phi_51439_;
+let _e15897 = phi_51440_;
 let _e15901 = (((f32(_e15894) + 0.5f) * _e15690) - 0.5f);
 let _e15905 = (((f32(_e15897) + 0.5f) * _e15690) - 0.5f);
 if _e487 {
-phi_51467_ = type_25(_e15897, _e15894);
+phi_51468_ = type_26(_e15897, _e15894);
 } else {
-phi_51467_ = type_25(_e15894, _e15897);
+phi_51468_ = type_26(_e15894, _e15897);
 }
-let _e15911 = phi_51467_;
+let _e15911 = phi_51468_;
 if _e15761 {
-phi_51518_ = 0u;
+phi_51519_ = 0u;
 } else {
 if (_e13354 == 1u) {
-phi_51517_ = 0u;
+phi_51518_ = 0u;
 } else {
 if (_e13354 == 2u) {
-phi_51516_ = _e14411;
+phi_51517_ = _e14411;
 } else {
-phi_51516_ = select(_e14417, _e14414, (_e13354 == 3u));
+phi_51517_ = select(_e14417, _e14414, (_e13354 == 3u));
 }
-let _e15919 = phi_51516_;
-phi_51517_ = _e15919;
+let _e15919 = phi_51517_;
+phi_51518_ = _e15919;
 }
-let _e15921 = phi_51517_;
-phi_51518_ = _e15921;
+let _e15921 = phi_51518_;
+phi_51519_ = _e15921;
 }
-let _e15923 = phi_51518_;
+let _e15923 = phi_51519_;
 local_84 = (((bitcast<i32>(_e15923) + _e15911.member_1) * _e14408) + _e15911.member);
 let _e15928 = local_84;
 let _e15930 = select(_e14434, _e15928, (_e15928 < _e14434));
@@ -8221,45 +8233,45 @@ let _e16025 = select(0f, _e16016, (((_e16019 >= 0f) && (_e16019 < _e725)) && (_e
 let _e16027 = (_e15894 << bitcast<u32>(_e15669));
 let _e16039 = (_e15725 + 1i);
 if _e15735 {
-phi_52502_ = (_e15685.member - 1i);
+phi_52503_ = (_e15685.member - 1i);
 } else {
-phi_52502_ = _e15734;
+phi_52503_ = _e15734;
 }
-let _e16043 = phi_52502_;
+let _e16043 = phi_52503_;
 let _e16045 = select(_e16039, 0i, (_e16039 < 0i));
 let _e16046 = (_e16045 >= _e15685.member_1);
 if _e16046 {
-phi_52513_ = (_e15685.member_1 - 1i);
+phi_52514_ = (_e15685.member_1 - 1i);
 } else {
-phi_52513_ = _e16045;
+phi_52514_ = _e16045;
 }
-let _e16049 = phi_52513_;
+let _e16049 = phi_52514_;
 let _e16053 = (((f32(_e16043) + 0.5f) * _e15690) - 0.5f);
 let _e16057 = (((f32(_e16049) + 0.5f) * _e15690) - 0.5f);
 if _e487 {
-phi_52541_ = type_25(_e16049, _e16043);
+phi_52542_ = type_26(_e16049, _e16043);
 } else {
-phi_52541_ = type_25(_e16043, _e16049);
+phi_52542_ = type_26(_e16043, _e16049);
 }
-let _e16063 = phi_52541_;
+let _e16063 = phi_52542_;
 if _e15761 {
-phi_52592_ = 0u;
+phi_52593_ = 0u;
 } else {
 if (_e13354 == 1u) {
-phi_52591_ = 0u;
+phi_52592_ = 0u;
 } else {
 if (_e13354 == 2u) {
-phi_52590_ = _e14411;
+phi_52591_ = _e14411;
 } else {
-phi_52590_ = select(_e14417, _e14414, (_e13354 == 3u));
+phi_52591_ = select(_e14417, _e14414, (_e13354 == 3u));
 }
-let _e16071 = phi_52590_;
-phi_52591_ = _e16071;
+let _e16071 = phi_52591_;
+phi_52592_ = _e16071;
 }
-let _e16073 = phi_52591_;
-phi_52592_ = _e16073;
+let _e16073 = phi_52592_;
+phi_52593_ = _e16073;
 }
-let _e16075 = phi_52592_;
+let _e16075 = phi_52593_;
 local_82 = (((bitcast<i32>(_e16075) + _e16063.member_1) * _e14408) + _e16063.member);
 let _e16080 = local_82;
 let _e16082 = select(_e14434, _e16080, (_e16080 < _e14434));
@@ -8293,43 +8305,43 @@ let _e16171 = (((_e16148 * _e16138) - _e16143) * _e16165);
 let _e16177 = select(0f, _e16168, (((_e16171 >= 0f) && (_e16171 < _e725)) && (_e16168 > 0f)));
 let _e16179 = (_e16043 << bitcast<u32>(_e15669));
 if _e15891 {
-phi_53576_ = (_e15685.member - 1i);
+phi_53577_ = (_e15685.member - 1i);
 } else {
-phi_53576_ = _e15890;
+phi_53577_ = _e15890;
 }
-let _e16194 = phi_53576_;
+let _e16194 = phi_53577_;
 if _e16046 {
-phi_53587_ = (_e15685.member_1 - 1i);
+phi_53588_ = (_e15685.member_1 - 1i);
 } else {
-phi_53587_ = _e16045;
+phi_53588_ = _e16045;
 }
-let _e16197 = phi_53587_;
+let _e16197 = phi_53588_;
 let _e16201 = (((f32(_e16194) + 0.5f) * _e15690) - 0.5f);
 let _e16205 = (((f32(_e16197) + 0.5f) * _e15690) - 0.5f);
 if _e487 {
-phi_53615_ = type_25(_e16197, _e16194);
+phi_53616_ = type_26(_e16197, _e16194);
 } else {
-phi_53615_ = type_25(_e16194, _e16197);
+phi_53616_ = type_26(_e16194, _e16197);
 }
-let _e16211 = phi_53615_;
+let _e16211 = phi_53616_;
 if _e15761 {
-phi_53666_ = 0u;
+phi_53667_ = 0u;
 } else {
 if (_e13354 == 1u) {
-phi_53665_ = 0u;
+phi_53666_ = 0u;
 } else {
 if (_e13354 == 2u) {
-phi_53664_ = _e14411;
+phi_53665_ = _e14411;
 } else {
-phi_53664_ = select(_e14417, _e14414, (_e13354 == 3u));
+phi_53665_ = select(_e14417, _e14414, (_e13354 == 3u));
 }
-let _e16219 = phi_53664_;
-phi_53665_ = _e16219;
+let _e16219 = phi_53665_;
+phi_53666_ = _e16219;
 }
-let _e16221 = phi_53665_;
-phi_53666_ = _e16221;
+let _e16221 = phi_53666_;
+phi_53667_ = _e16221;
 }
-let _e16223 = phi_53666_;
+let _e16223 = phi_53667_;
 local_80 = (((bitcast<i32>(_e16223) + _e16211.member_1) * _e14408) + _e16211.member);
 let _e16228 = local_80;
 let _e16230 = select(_e14434, _e16228, (_e16228 < _e14434));
@@ -8364,11 +8376,11 @@ let _e16325 = select(0f, _e16316, (((_e16319 >= 0f) && (_e16319 < _e725)) && (_e
 let _e16327 = (_e16194 << bitcast<u32>(_e15669));
 let _e16339 = select(((((_e15668 - select(0f, (_e15730 * _e15731), (((select(select(_e800, _e957, (_e15875 >= _e726)), _e879, (_e15875 < _e332)) == _e13354) && (_e15873 > 0f)) && (_e15873 < _e15783)))) - select(0f, (_e15727 * _e15731), (((select(select(_e800, _e957, (_e16027 >= _e726)), _e879, (_e16027 < _e332)) == _e13354) && (_e16025 > 0f)) && (_e16025 < _e15935)))) - select(0f, (_e15730 * _e15729), (((select(select(_e800, _e957, (_e16179 >= _e726)), _e879, (_e16179 < _e332)) == _e13354) && (_e16177 > 0f)) && (_e16177 < _e16087)))) - select(0f, (_e15727 * _e15729), (((select(select(_e800, _e957, (_e16327 >= _e726)), _e879, (_e16327 < _e332)) == _e13354) && (_e16325 > 0f)) && (_e16325 < _e16235)))), _e15668, _e15761);
 if _e487 {
-phi_54659_ = type_25(_e13462, _e13369);
+phi_54660_ = type_26(_e13462, _e13369);
 } else {
-phi_54659_ = type_25(_e13369, _e13462);
+phi_54660_ = type_26(_e13369, _e13462);
 }
-let _e16354 = phi_54659_;
+let _e16354 = phi_54660_;
 let _e16357 = (_e13463 && (((_e14325 > 0f) && (_e14325 < _e13553)) && (bitcast<f32>((bitcast<u32>(_e16339) & 2147483647u)) > 1e-6f)));
 let _e16360 = global_1.member.member_18.member;
 let _e16361 = (((select(_e13488, (1f - _e13488), (_e13473 >= 0f)) - select(_e13507, (1f - _e13507), (_e13492 >= 0f))) * (1f / _e13470)) * _e16360);
@@ -8409,11 +8421,11 @@ if ((_e16395 | _e16402) == 0u) {
 let _e16478 = bitcast<u32>(_e16475);
 if (_e16478 < _e304) {
 let _e16482 = atomicAdd((&global_8.member[_e16478]), _e16395);
-phi_54892_ = _e16482;
+phi_54893_ = _e16482;
 } else {
-phi_54892_ = 0u;
+phi_54893_ = 0u;
 }
-let _e16484 = phi_54892_;
+let _e16484 = phi_54893_;
 let _e16488 = (_e16402 + select(0u, 1u, ((_e16484 + _e16395) < _e16395)));
 if (_e16488 == 0u) {
 } else {
@@ -8428,11 +8440,11 @@ if ((_e16429 | _e16436) == 0u) {
 let _e16498 = bitcast<u32>((_e16475 + 2i));
 if (_e16498 < _e304) {
 let _e16502 = atomicAdd((&global_8.member[_e16498]), _e16429);
-phi_54922_ = _e16502;
+phi_54923_ = _e16502;
 } else {
-phi_54922_ = 0u;
+phi_54923_ = 0u;
 }
-let _e16504 = phi_54922_;
+let _e16504 = phi_54923_;
 let _e16508 = (_e16436 + select(0u, 1u, ((_e16504 + _e16429) < _e16429)));
 if (_e16508 == 0u) {
 } else {
@@ -8447,11 +8459,11 @@ if ((_e16463 | _e16470) == 0u) {
 let _e16518 = bitcast<u32>((_e16475 + 4i));
 if (_e16518 < _e304) {
 let _e16522 = atomicAdd((&global_8.member[_e16518]), _e16463);
-phi_54952_ = _e16522;
+phi_54953_ = _e16522;
 } else {
-phi_54952_ = 0u;
+phi_54953_ = 0u;
 }
-let _e16524 = phi_54952_;
+let _e16524 = phi_54953_;
 let _e16528 = (_e16470 + select(0u, 1u, ((_e16524 + _e16463) < _e16463)));
 if (_e16528 == 0u) {
 } else {
@@ -8461,25 +8473,25 @@ let _e16534 = atomicAdd((&global_8.member[_e16530]), _e16528);
 }
 }
 }
-phi_40083_ = (_e13460 + 1i);
+phi_40084_ = (_e13460 + 1i);
 } else {
-phi_40083_ = i32();
+phi_40084_ = i32();
 }
-let _e16537 = phi_40083_;
+let _e16537 = phi_40084_;
 continue;
 continuing {
-phi_40082_ = _e16537;
+phi_40083_ = _e16537;
 break if !(_e13463);
 }
 }
-phi_39929_ = (_e13366 + 1i);
+phi_39930_ = (_e13366 + 1i);
 } else {
-phi_39929_ = i32();
+phi_39930_ = i32();
 }
-let _e16541 = phi_39929_;
+let _e16541 = phi_39930_;
 continue;
 continuing {
-phi_39928_ = _e16541;
+phi_39929_ = _e16541;
 break if !(_e13367);
 }
 }
@@ -8493,11 +8505,11 @@ let _e965 = global_1.member.member_1.member_1;
 let _e966 = bitcast<i32>(_e962);
 let _e967 = bitcast<i32>(_e965);
 if _e487 {
-phi_55019_ = type_25(_e967, _e966);
+phi_55020_ = type_26(_e967, _e966);
 } else {
-phi_55019_ = type_25(_e966, _e967);
+phi_55020_ = type_26(_e966, _e967);
 }
-let _e971 = phi_55019_;
+let _e971 = phi_55020_;
 let _e975 = f32((_e332 + 15i));
 let _e977 = select(_e975, _e412, (_e412 < _e975));
 let _e979 = select(_e348, _e977, (_e977 > _e348));
@@ -8512,11 +8524,11 @@ let _e1006 = select(0i, select(select(i32(_e999), i32(-2147483648), (_e999 < -21
 let _e1010 = (_e1006 - select(0i, 1i, (_e999 < f32(_e1006))));
 let _e1011 = bitcast<i32>(_e1010);
 if (_e993 < _e971.member) {
-phi_55094_ = _e993;
+phi_55095_ = _e993;
 } else {
-phi_55094_ = (_e971.member - 1i);
+phi_55095_ = (_e971.member - 1i);
 }
-let _e1015 = phi_55094_;
+let _e1015 = phi_55095_;
 let _e1016 = (_e971.member_1 - 1i);
 let _e1017 = (_e800 == 0u);
 if _e1017 {
@@ -8524,9 +8536,9 @@ let _e6947 = select(_e879, 0u, (_e879 == _e800));
 let _e6951 = select(_e957, 0u, ((_e957 == _e800) || (_e957 == _e879)));
 let _e6959 = ((select(0u, 1u, (_e800 > 0u)) + select(0u, 1u, (_e6947 > 0u))) + select(0u, 1u, (_e6951 > 0u)));
 if (_e6959 == 0u) {
-phi_55132_ = 0i;
+phi_55133_ = 0i;
 loop {
-let _e11190 = phi_55132_;
+let _e11190 = phi_55133_;
 let _e11191 = (_e11190 < 16i);
 if _e11191 {
 let _e11193 = (_e1011 + (_e11190 & 15i));
@@ -8555,9 +8567,9 @@ let _e11277 = select(_e11269, _e11275, (_e11275 > _e11269));
 let _e11279 = (0.5f * (_e11273 + _e11277));
 let _e11280 = (0.5f / _e11277);
 let _e11281 = (1f / _e11273);
-phi_55286_ = 0i;
+phi_55287_ = 0i;
 loop {
-let _e11283 = phi_55286_;
+let _e11283 = phi_55287_;
 let _e11285 = (((_e11258 - select(0i, 1i, (_e11251 < f32(_e11258)))) + (_e11190 >> bitcast<u32>(4u))) + bitcast<i32>(_e11283));
 let _e11286 = (_e11285 <= select(-1i, (_e11241 - select(0i, 1i, (_e11234 < f32(_e11241)))), (_e11193 <= _e1015)));
 if _e11286 {
@@ -8579,11 +8591,11 @@ let _e11323 = select(_e11277, _e11321, (_e11321 < _e11277));
 let _e11326 = (_e11319 - _e11277);
 let _e11330 = (((_e11323 * (_e11323 * _e11280)) + select(0f, _e11326, (_e11326 > 0f))) * _e11281);
 if _e487 {
-phi_55391_ = type_25(_e11285, _e11193);
+phi_55392_ = type_26(_e11285, _e11193);
 } else {
-phi_55391_ = type_25(_e11193, _e11285);
+phi_55392_ = type_26(_e11193, _e11285);
 }
-let _e11339 = phi_55391_;
+let _e11339 = phi_55392_;
 local_78 = bitcast<i32>((_e962 * _e965));
 local_79 = ((_e11339.member_1 * _e966) + _e11339.member);
 let _e11346 = local_78;
@@ -8654,11 +8666,11 @@ let _e11552 = global_2.member[bitcast<u32>(select(0i, _e11547, (_e11547 > 0i)))]
 let _e11554 = (_e11542 + (_e11538 + 1i));
 let _e11556 = select(_e11545, _e11554, (_e11554 < _e11545));
 let _e11561 = global_2.member[bitcast<u32>(select(0i, _e11556, (_e11556 > 0i)))];
-phi_55818_ = (_e11552 + ((_e11561 - _e11552) * (_e11522 - f32(_e11538))));
+phi_55819_ = (_e11552 + ((_e11561 - _e11552) * (_e11522 - f32(_e11538))));
 } else {
-phi_55818_ = select(((1f - _e11493) / (_e11499 * sqrt(select(0f, _e11499, (_e11499 > 0f))))), (0.75f * (1f + (_e11489 * _e11489))), (_e11511 == 1u));
+phi_55819_ = select(((1f - _e11493) / (_e11499 * sqrt(select(0f, _e11499, (_e11499 > 0f))))), (0.75f * (1f + (_e11489 * _e11489))), (_e11511 == 1u));
 }
-let _e11568 = phi_55818_;
+let _e11568 = phi_55819_;
 let _e11571 = (_e11438 * (_e11568 * (0.25f / 3.1415927f)));
 let _e11572 = (_e11480 - _e11357);
 let _e11575 = (_e11483 + select(0f, _e11572, (_e11572 > 0f)));
@@ -8696,11 +8708,11 @@ let _e11705 = ((_e11683 - (_e11701 * 0.6933594f)) - (_e11701 * -2.1219444e-4f));
 let _e11728 = global_1.member.member_13.member_1;
 let _e11741 = select(0f, _e11480, (((_e11483 >= 0f) && (_e11483 < _e725)) && (_e11480 > 0f)));
 if _e487 {
-phi_56420_ = type_25(_e11285, _e11193);
+phi_56421_ = type_26(_e11285, _e11193);
 } else {
-phi_56420_ = type_25(_e11193, _e11285);
+phi_56421_ = type_26(_e11193, _e11285);
 }
-let _e11752 = phi_56420_;
+let _e11752 = phi_56421_;
 let _e11755 = (_e11286 && (((_e11741 > 0f) && (_e11741 < _e11365)) && true));
 let _e11758 = global_1.member.member_18.member;
 let _e11759 = (((select(_e11311, (1f - _e11311), (_e11296 >= 0f)) - select(_e11330, (1f - _e11330), (_e11315 >= 0f))) * (1f / _e11293)) * _e11758);
@@ -8741,11 +8753,11 @@ if ((_e11793 | _e11800) == 0u) {
 let _e11876 = bitcast<u32>(_e11873);
 if (_e11876 < _e304) {
 let _e11880 = atomicAdd((&global_8.member[_e11876]), _e11793);
-phi_56653_ = _e11880;
+phi_56654_ = _e11880;
 } else {
-phi_56653_ = 0u;
+phi_56654_ = 0u;
 }
-let _e11882 = phi_56653_;
+let _e11882 = phi_56654_;
 let _e11886 = (_e11800 + select(0u, 1u, ((_e11882 + _e11793) < _e11793)));
 if (_e11886 == 0u) {
 } else {
@@ -8760,11 +8772,11 @@ if ((_e11827 | _e11834) == 0u) {
 let _e11896 = bitcast<u32>((_e11873 + 2i));
 if (_e11896 < _e304) {
 let _e11900 = atomicAdd((&global_8.member[_e11896]), _e11827);
-phi_56683_ = _e11900;
+phi_56684_ = _e11900;
 } else {
-phi_56683_ = 0u;
+phi_56684_ = 0u;
 }
-let _e11902 = phi_56683_;
+let _e11902 = phi_56684_;
 let _e11906 = (_e11834 + select(0u, 1u, ((_e11902 + _e11827) < _e11827)));
 if (_e11906 == 0u) {
 } else {
@@ -8779,11 +8791,11 @@ if ((_e11861 | _e11868) == 0u) {
 let _e11916 = bitcast<u32>((_e11873 + 4i));
 if (_e11916 < _e304) {
 let _e11920 = atomicAdd((&global_8.member[_e11916]), _e11861);
-phi_56713_ = _e11920;
+phi_56714_ = _e11920;
 } else {
-phi_56713_ = 0u;
+phi_56714_ = 0u;
 }
-let _e11922 = phi_56713_;
+let _e11922 = phi_56714_;
 let _e11926 = (_e11868 + select(0u, 1u, ((_e11922 + _e11861) < _e11861)));
 if (_e11926 == 0u) {
 } else {
@@ -8793,33 +8805,33 @@ let _e11932 = atomicAdd((&global_8.member[_e11928]), _e11926);
 }
 }
 }
-phi_55287_ = (_e11283 + 1i);
+phi_55288_ = (_e11283 + 1i);
 } else {
-phi_55287_ = i32();
+phi_55288_ = i32();
 }
-let _e11935 = phi_55287_;
+let _e11935 = phi_55288_;
 continue;
 continuing {
-phi_55286_ = _e11935;
+phi_55287_ = _e11935;
 break if !(_e11286);
 }
 }
-phi_55133_ = (_e11190 + 1i);
+phi_55134_ = (_e11190 + 1i);
 } else {
-phi_55133_ = i32();
+phi_55134_ = i32();
 }
-let _e11939 = phi_55133_;
+let _e11939 = phi_55134_;
 continue;
 continuing {
-phi_55132_ = _e11939;
+phi_55133_ = _e11939;
 break if !(_e11191);
 }
 }
 } else {
 if (_e6959 == 1u) {
-phi_56762_ = 0i;
+phi_56763_ = 0i;
 loop {
-let _e9746 = phi_56762_;
+let _e9746 = phi_56763_;
 let _e9747 = (_e9746 < 16i);
 if _e9747 {
 let _e9749 = (_e1011 + (_e9746 & 15i));
@@ -8849,9 +8861,9 @@ let _e9833 = select(_e9825, _e9831, (_e9831 > _e9825));
 let _e9835 = (0.5f * (_e9829 + _e9833));
 let _e9836 = (0.5f / _e9833);
 let _e9837 = (1f / _e9829);
-phi_56916_ = 0i;
+phi_56917_ = 0i;
 loop {
-let _e9839 = phi_56916_;
+let _e9839 = phi_56917_;
 let _e9841 = (((_e9814 - select(0i, 1i, (_e9807 < f32(_e9814)))) + (_e9746 >> bitcast<u32>(4u))) + bitcast<i32>(_e9839));
 let _e9842 = (_e9841 <= select(-1i, (_e9797 - select(0i, 1i, (_e9790 < f32(_e9797)))), (_e9749 <= _e1015)));
 if _e9842 {
@@ -8874,11 +8886,11 @@ let _e9879 = select(_e9833, _e9877, (_e9877 < _e9833));
 let _e9882 = (_e9875 - _e9833);
 let _e9886 = (((_e9879 * (_e9879 * _e9836)) + select(0f, _e9882, (_e9882 > 0f))) * _e9837);
 if _e487 {
-phi_57021_ = type_25(_e9841, _e9749);
+phi_57022_ = type_26(_e9841, _e9749);
 } else {
-phi_57021_ = type_25(_e9749, _e9841);
+phi_57022_ = type_26(_e9749, _e9841);
 }
-let _e9895 = phi_57021_;
+let _e9895 = phi_57022_;
 local_76 = bitcast<i32>((_e962 * _e965));
 local_77 = ((_e9895.member_1 * _e966) + _e9895.member);
 let _e9902 = local_76;
@@ -8951,11 +8963,11 @@ let _e10108 = global_2.member[bitcast<u32>(select(0i, _e10103, (_e10103 > 0i)))]
 let _e10110 = (_e10098 + (_e10094 + 1i));
 let _e10112 = select(_e10101, _e10110, (_e10110 < _e10101));
 let _e10117 = global_2.member[bitcast<u32>(select(0i, _e10112, (_e10112 > 0i)))];
-phi_57448_ = (_e10108 + ((_e10117 - _e10108) * (_e10078 - f32(_e10094))));
+phi_57449_ = (_e10108 + ((_e10117 - _e10108) * (_e10078 - f32(_e10094))));
 } else {
-phi_57448_ = select(((1f - _e10049) / (_e10055 * sqrt(select(0f, _e10055, (_e10055 > 0f))))), (0.75f * (1f + (_e10045 * _e10045))), (_e10067 == 1u));
+phi_57449_ = select(((1f - _e10049) / (_e10055 * sqrt(select(0f, _e10055, (_e10055 > 0f))))), (0.75f * (1f + (_e10045 * _e10045))), (_e10067 == 1u));
 }
-let _e10124 = phi_57448_;
+let _e10124 = phi_57449_;
 let _e10127 = (_e9994 * (_e10124 * (0.25f / 3.1415927f)));
 let _e10128 = (_e10036 - _e9913);
 let _e10131 = (_e10039 + select(0f, _e10128, (_e10128 > 0f)));
@@ -8998,11 +9010,11 @@ let _e10302 = (1u << bitcast<u32>(_e10300));
 let _e10311 = bitcast<i32>((((_e962 + _e10302) - 1u) >> bitcast<u32>(_e10300)));
 let _e10312 = bitcast<i32>((((_e965 + _e10302) - 1u) >> bitcast<u32>(_e10300)));
 if _e487 {
-phi_58076_ = type_25(_e10312, _e10311);
+phi_58077_ = type_26(_e10312, _e10311);
 } else {
-phi_58076_ = type_25(_e10311, _e10312);
+phi_58077_ = type_26(_e10311, _e10312);
 }
-let _e10316 = phi_58076_;
+let _e10316 = phi_58077_;
 let _e10321 = f32((1i << bitcast<u32>(_e10300)));
 let _e10322 = (1f / _e10321);
 let _e10324 = ((_e9751 * _e10322) - 0.5f);
@@ -9022,50 +9034,50 @@ let _e10362 = (1f - _e10360);
 let _e10365 = select(_e10341, 0i, (_e10341 < 0i));
 let _e10366 = (_e10365 >= _e10316.member);
 if _e10366 {
-phi_58154_ = (_e10316.member - 1i);
+phi_58155_ = (_e10316.member - 1i);
 } else {
-phi_58154_ = _e10365;
+phi_58155_ = _e10365;
 }
-let _e10369 = phi_58154_;
+let _e10369 = phi_58155_;
 let _e10371 = select(_e10356, 0i, (_e10356 < 0i));
 let _e10372 = (_e10371 >= _e10316.member_1);
 if _e10372 {
-phi_58165_ = (_e10316.member_1 - 1i);
+phi_58166_ = (_e10316.member_1 - 1i);
 } else {
-phi_58165_ = _e10371;
+phi_58166_ = _e10371;
 }
-let _e10375 = phi_58165_;
+let _e10375 = phi_58166_;
 let _e10379 = (((f32(_e10369) + 0.5f) * _e10321) - 0.5f);
 let _e10383 = (((f32(_e10375) + 0.5f) * _e10321) - 0.5f);
 if _e487 {
-phi_58193_ = type_25(_e10375, _e10369);
+phi_58194_ = type_26(_e10375, _e10369);
 } else {
-phi_58193_ = type_25(_e10369, _e10375);
+phi_58194_ = type_26(_e10369, _e10375);
 }
-let _e10389 = phi_58193_;
+let _e10389 = phi_58194_;
 let _e10395 = bitcast<i32>(((_e962 + 1u) >> bitcast<u32>(1u)));
 let _e10398 = global_1.member.member_18.member_6;
 let _e10401 = global_1.member.member_18.member_7;
 let _e10404 = global_1.member.member_18.member_8;
 let _e10405 = (_e10299 == 0u);
 if _e10405 {
-phi_58244_ = 0u;
+phi_58245_ = 0u;
 } else {
 if (_e10299 == 1u) {
-phi_58243_ = 0u;
+phi_58244_ = 0u;
 } else {
 if (_e10299 == 2u) {
-phi_58242_ = _e10398;
+phi_58243_ = _e10398;
 } else {
-phi_58242_ = select(_e10404, _e10401, (_e10299 == 3u));
+phi_58243_ = select(_e10404, _e10401, (_e10299 == 3u));
 }
-let _e10411 = phi_58242_;
-phi_58243_ = _e10411;
+let _e10411 = phi_58243_;
+phi_58244_ = _e10411;
 }
-let _e10413 = phi_58243_;
-phi_58244_ = _e10413;
+let _e10413 = phi_58244_;
+phi_58245_ = _e10413;
 }
-let _e10415 = phi_58244_;
+let _e10415 = phi_58245_;
 local_74 = (((bitcast<i32>(_e10415) + _e10389.member_1) * _e10395) + _e10389.member);
 let _e10420 = local_74;
 let _e10422 = (bitcast<i32>(_e296) - 1i);
@@ -9103,43 +9115,43 @@ let _e10533 = (_e10341 + 1i);
 let _e10536 = select(_e10533, 0i, (_e10533 < 0i));
 let _e10537 = (_e10536 >= _e10316.member);
 if _e10537 {
-phi_59228_ = (_e10316.member - 1i);
+phi_59229_ = (_e10316.member - 1i);
 } else {
-phi_59228_ = _e10536;
+phi_59229_ = _e10536;
 }
-let _e10540 = phi_59228_;
+let _e10540 = phi_59229_;
 if _e10372 {
-phi_59239_ = (_e10316.member_1 - 1i);
+phi_59240_ = (_e10316.member_1 - 1i);
 } else {
-phi_59239_ = _e10371;
+phi_59240_ = _e10371;
 }
-let _e10543 = phi_59239_;
+let _e10543 = phi_59240_;
 let _e10547 = (((f32(_e10540) + 0.5f) * _e10321) - 0.5f);
 let _e10551 = (((f32(_e10543) + 0.5f) * _e10321) - 0.5f);
 if _e487 {
-phi_59267_ = type_25(_e10543, _e10540);
+phi_59268_ = type_26(_e10543, _e10540);
 } else {
-phi_59267_ = type_25(_e10540, _e10543);
+phi_59268_ = type_26(_e10540, _e10543);
 }
-let _e10557 = phi_59267_;
+let _e10557 = phi_59268_;
 if _e10405 {
-phi_59318_ = 0u;
+phi_59319_ = 0u;
 } else {
 if (_e10299 == 1u) {
-phi_59317_ = 0u;
+phi_59318_ = 0u;
 } else {
 if (_e10299 == 2u) {
-phi_59316_ = _e10398;
+phi_59317_ = _e10398;
 } else {
-phi_59316_ = select(_e10404, _e10401, (_e10299 == 3u));
+phi_59317_ = select(_e10404, _e10401, (_e10299 == 3u));
 }
-let _e10565 = phi_59316_;
-phi_59317_ = _e10565;
+let _e10565 = phi_59317_;
+phi_59318_ = _e10565;
 }
-let _e10567 = phi_59317_;
-phi_59318_ = _e10567;
+let _e10567 = phi_59318_;
+phi_59319_ = _e10567;
 }
-let _e10569 = phi_59318_;
+let _e10569 = phi_59319_;
 local_72 = (((bitcast<i32>(_e10569) + _e10557.member_1) * _e10395) + _e10557.member);
 let _e10574 = local_72;
 let _e10576 = select(_e10422, _e10574, (_e10574 < _e10422));
@@ -9174,45 +9186,45 @@ let _e10671 = select(0f, _e10662, (((_e10665 >= 0f) && (_e10665 < _e725)) && (_e
 let _e10673 = (_e10540 << bitcast<u32>(_e10300));
 let _e10685 = (_e10356 + 1i);
 if _e10366 {
-phi_60302_ = (_e10316.member - 1i);
+phi_60303_ = (_e10316.member - 1i);
 } else {
-phi_60302_ = _e10365;
+phi_60303_ = _e10365;
 }
-let _e10689 = phi_60302_;
+let _e10689 = phi_60303_;
 let _e10691 = select(_e10685, 0i, (_e10685 < 0i));
 let _e10692 = (_e10691 >= _e10316.member_1);
 if _e10692 {
-phi_60313_ = (_e10316.member_1 - 1i);
+phi_60314_ = (_e10316.member_1 - 1i);
 } else {
-phi_60313_ = _e10691;
+phi_60314_ = _e10691;
 }
-let _e10695 = phi_60313_;
+let _e10695 = phi_60314_;
 let _e10699 = (((f32(_e10689) + 0.5f) * _e10321) - 0.5f);
 let _e10703 = (((f32(_e10695) + 0.5f) * _e10321) - 0.5f);
 if _e487 {
-phi_60341_ = type_25(_e10695, _e10689);
+phi_60342_ = type_26(_e10695, _e10689);
 } else {
-phi_60341_ = type_25(_e10689, _e10695);
+phi_60342_ = type_26(_e10689, _e10695);
 }
-let _e10709 = phi_60341_;
+let _e10709 = phi_60342_;
 if _e10405 {
-phi_60392_ = 0u;
+phi_60393_ = 0u;
 } else {
 if (_e10299 == 1u) {
-phi_60391_ = 0u;
+phi_60392_ = 0u;
 } else {
 if (_e10299 == 2u) {
-phi_60390_ = _e10398;
+phi_60391_ = _e10398;
 } else {
-phi_60390_ = select(_e10404, _e10401, (_e10299 == 3u));
+phi_60391_ = select(_e10404, _e10401, (_e10299 == 3u));
 }
-let _e10717 = phi_60390_;
-phi_60391_ = _e10717;
+let _e10717 = phi_60391_;
+phi_60392_ = _e10717;
 }
-let _e10719 = phi_60391_;
-phi_60392_ = _e10719;
+let _e10719 = phi_60392_;
+phi_60393_ = _e10719;
 }
-let _e10721 = phi_60392_;
+let _e10721 = phi_60393_;
 local_70 = (((bitcast<i32>(_e10721) + _e10709.member_1) * _e10395) + _e10709.member);
 let _e10726 = local_70;
 let _e10728 = select(_e10422, _e10726, (_e10726 < _e10422));
@@ -9246,43 +9258,43 @@ let _e10817 = (((_e10794 * _e10784) - _e10789) * _e10811);
 let _e10823 = select(0f, _e10814, (((_e10817 >= 0f) && (_e10817 < _e725)) && (_e10814 > 0f)));
 let _e10825 = (_e10689 << bitcast<u32>(_e10300));
 if _e10537 {
-phi_61376_ = (_e10316.member - 1i);
+phi_61377_ = (_e10316.member - 1i);
 } else {
-phi_61376_ = _e10536;
+phi_61377_ = _e10536;
 }
-let _e10840 = phi_61376_;
+let _e10840 = phi_61377_;
 if _e10692 {
-phi_61387_ = (_e10316.member_1 - 1i);
+phi_61388_ = (_e10316.member_1 - 1i);
 } else {
-phi_61387_ = _e10691;
+phi_61388_ = _e10691;
 }
-let _e10843 = phi_61387_;
+let _e10843 = phi_61388_;
 let _e10847 = (((f32(_e10840) + 0.5f) * _e10321) - 0.5f);
 let _e10851 = (((f32(_e10843) + 0.5f) * _e10321) - 0.5f);
 if _e487 {
-phi_61415_ = type_25(_e10843, _e10840);
+phi_61416_ = type_26(_e10843, _e10840);
 } else {
-phi_61415_ = type_25(_e10840, _e10843);
+phi_61416_ = type_26(_e10840, _e10843);
 }
-let _e10857 = phi_61415_;
+let _e10857 = phi_61416_;
 if _e10405 {
-phi_61466_ = 0u;
+phi_61467_ = 0u;
 } else {
 if (_e10299 == 1u) {
-phi_61465_ = 0u;
+phi_61466_ = 0u;
 } else {
 if (_e10299 == 2u) {
-phi_61464_ = _e10398;
+phi_61465_ = _e10398;
 } else {
-phi_61464_ = select(_e10404, _e10401, (_e10299 == 3u));
+phi_61465_ = select(_e10404, _e10401, (_e10299 == 3u));
 }
-let _e10865 = phi_61464_;
-phi_61465_ = _e10865;
+let _e10865 = phi_61465_;
+phi_61466_ = _e10865;
 }
-let _e10867 = phi_61465_;
-phi_61466_ = _e10867;
+let _e10867 = phi_61466_;
+phi_61467_ = _e10867;
 }
-let _e10869 = phi_61466_;
+let _e10869 = phi_61467_;
 local_68 = (((bitcast<i32>(_e10869) + _e10857.member_1) * _e10395) + _e10857.member);
 let _e10874 = local_68;
 let _e10876 = select(_e10422, _e10874, (_e10874 < _e10422));
@@ -9317,11 +9329,11 @@ let _e10971 = select(0f, _e10962, (((_e10965 >= 0f) && (_e10965 < _e725)) && (_e
 let _e10973 = (_e10840 << bitcast<u32>(_e10300));
 let _e10985 = select(((((1f - select(0f, (_e10361 * _e10362), (((select(select(_e800, _e957, (_e10521 >= _e726)), _e879, (_e10521 < _e332)) == _e10299) && (_e10519 > 0f)) && (_e10519 < _e10429)))) - select(0f, (_e10358 * _e10362), (((select(select(_e800, _e957, (_e10673 >= _e726)), _e879, (_e10673 < _e332)) == _e10299) && (_e10671 > 0f)) && (_e10671 < _e10581)))) - select(0f, (_e10361 * _e10360), (((select(select(_e800, _e957, (_e10825 >= _e726)), _e879, (_e10825 < _e332)) == _e10299) && (_e10823 > 0f)) && (_e10823 < _e10733)))) - select(0f, (_e10358 * _e10360), (((select(select(_e800, _e957, (_e10973 >= _e726)), _e879, (_e10973 < _e332)) == _e10299) && (_e10971 > 0f)) && (_e10971 < _e10881)))), 1f, _e10405);
 if _e487 {
-phi_62459_ = type_25(_e9841, _e9749);
+phi_62460_ = type_26(_e9841, _e9749);
 } else {
-phi_62459_ = type_25(_e9749, _e9841);
+phi_62460_ = type_26(_e9749, _e9841);
 }
-let _e11000 = phi_62459_;
+let _e11000 = phi_62460_;
 let _e11003 = (_e9842 && (((_e10297 > 0f) && (_e10297 < _e9921)) && (bitcast<f32>((bitcast<u32>(_e10985) & 2147483647u)) > 1e-6f)));
 let _e11006 = global_1.member.member_18.member;
 let _e11007 = (((select(_e9867, (1f - _e9867), (_e9852 >= 0f)) - select(_e9886, (1f - _e9886), (_e9871 >= 0f))) * (1f / _e9849)) * _e11006);
@@ -9362,11 +9374,11 @@ if ((_e11041 | _e11048) == 0u) {
 let _e11124 = bitcast<u32>(_e11121);
 if (_e11124 < _e304) {
 let _e11128 = atomicAdd((&global_8.member[_e11124]), _e11041);
-phi_62692_ = _e11128;
+phi_62693_ = _e11128;
 } else {
-phi_62692_ = 0u;
+phi_62693_ = 0u;
 }
-let _e11130 = phi_62692_;
+let _e11130 = phi_62693_;
 let _e11134 = (_e11048 + select(0u, 1u, ((_e11130 + _e11041) < _e11041)));
 if (_e11134 == 0u) {
 } else {
@@ -9381,11 +9393,11 @@ if ((_e11075 | _e11082) == 0u) {
 let _e11144 = bitcast<u32>((_e11121 + 2i));
 if (_e11144 < _e304) {
 let _e11148 = atomicAdd((&global_8.member[_e11144]), _e11075);
-phi_62722_ = _e11148;
+phi_62723_ = _e11148;
 } else {
-phi_62722_ = 0u;
+phi_62723_ = 0u;
 }
-let _e11150 = phi_62722_;
+let _e11150 = phi_62723_;
 let _e11154 = (_e11082 + select(0u, 1u, ((_e11150 + _e11075) < _e11075)));
 if (_e11154 == 0u) {
 } else {
@@ -9400,11 +9412,11 @@ if ((_e11109 | _e11116) == 0u) {
 let _e11164 = bitcast<u32>((_e11121 + 4i));
 if (_e11164 < _e304) {
 let _e11168 = atomicAdd((&global_8.member[_e11164]), _e11109);
-phi_62752_ = _e11168;
+phi_62753_ = _e11168;
 } else {
-phi_62752_ = 0u;
+phi_62753_ = 0u;
 }
-let _e11170 = phi_62752_;
+let _e11170 = phi_62753_;
 let _e11174 = (_e11116 + select(0u, 1u, ((_e11170 + _e11109) < _e11109)));
 if (_e11174 == 0u) {
 } else {
@@ -9414,32 +9426,32 @@ let _e11180 = atomicAdd((&global_8.member[_e11176]), _e11174);
 }
 }
 }
-phi_56917_ = (_e9839 + 1i);
+phi_56918_ = (_e9839 + 1i);
 } else {
-phi_56917_ = i32();
+phi_56918_ = i32();
 }
-let _e11183 = phi_56917_;
+let _e11183 = phi_56918_;
 continue;
 continuing {
-phi_56916_ = _e11183;
+phi_56917_ = _e11183;
 break if !(_e9842);
 }
 }
-phi_56763_ = (_e9746 + 1i);
+phi_56764_ = (_e9746 + 1i);
 } else {
-phi_56763_ = i32();
+phi_56764_ = i32();
 }
-let _e11187 = phi_56763_;
+let _e11187 = phi_56764_;
 continue;
 continuing {
-phi_56762_ = _e11187;
+phi_56763_ = _e11187;
 break if !(_e9747);
 }
 }
 } else {
-phi_62797_ = 0i;
+phi_62798_ = 0i;
 loop {
-let _e6963 = phi_62797_;
+let _e6963 = phi_62798_;
 let _e6964 = (_e6963 < 16i);
 if _e6964 {
 let _e6966 = (_e1011 + (_e6963 & 15i));
@@ -9469,9 +9481,9 @@ let _e7050 = select(_e7042, _e7048, (_e7048 > _e7042));
 let _e7052 = (0.5f * (_e7046 + _e7050));
 let _e7053 = (0.5f / _e7050);
 let _e7054 = (1f / _e7046);
-phi_62951_ = 0i;
+phi_62952_ = 0i;
 loop {
-let _e7056 = phi_62951_;
+let _e7056 = phi_62952_;
 let _e7058 = (((_e7031 - select(0i, 1i, (_e7024 < f32(_e7031)))) + (_e6963 >> bitcast<u32>(4u))) + bitcast<i32>(_e7056));
 let _e7059 = (_e7058 <= select(-1i, (_e7014 - select(0i, 1i, (_e7007 < f32(_e7014)))), (_e6966 <= _e1015)));
 if _e7059 {
@@ -9494,11 +9506,11 @@ let _e7096 = select(_e7050, _e7094, (_e7094 < _e7050));
 let _e7099 = (_e7092 - _e7050);
 let _e7103 = (((_e7096 * (_e7096 * _e7053)) + select(0f, _e7099, (_e7099 > 0f))) * _e7054);
 if _e487 {
-phi_63056_ = type_25(_e7058, _e6966);
+phi_63057_ = type_26(_e7058, _e6966);
 } else {
-phi_63056_ = type_25(_e6966, _e7058);
+phi_63057_ = type_26(_e6966, _e7058);
 }
-let _e7112 = phi_63056_;
+let _e7112 = phi_63057_;
 local_66 = bitcast<i32>((_e962 * _e965));
 local_67 = ((_e7112.member_1 * _e966) + _e7112.member);
 let _e7119 = local_66;
@@ -9571,11 +9583,11 @@ let _e7325 = global_2.member[bitcast<u32>(select(0i, _e7320, (_e7320 > 0i)))];
 let _e7327 = (_e7315 + (_e7311 + 1i));
 let _e7329 = select(_e7318, _e7327, (_e7327 < _e7318));
 let _e7334 = global_2.member[bitcast<u32>(select(0i, _e7329, (_e7329 > 0i)))];
-phi_63483_ = (_e7325 + ((_e7334 - _e7325) * (_e7295 - f32(_e7311))));
+phi_63484_ = (_e7325 + ((_e7334 - _e7325) * (_e7295 - f32(_e7311))));
 } else {
-phi_63483_ = select(((1f - _e7266) / (_e7272 * sqrt(select(0f, _e7272, (_e7272 > 0f))))), (0.75f * (1f + (_e7262 * _e7262))), (_e7284 == 1u));
+phi_63484_ = select(((1f - _e7266) / (_e7272 * sqrt(select(0f, _e7272, (_e7272 > 0f))))), (0.75f * (1f + (_e7262 * _e7262))), (_e7284 == 1u));
 }
-let _e7341 = phi_63483_;
+let _e7341 = phi_63484_;
 let _e7344 = (_e7211 * (_e7341 * (0.25f / 3.1415927f)));
 let _e7345 = (_e7253 - _e7130);
 let _e7348 = (_e7256 + select(0f, _e7345, (_e7345 > 0f)));
@@ -9617,11 +9629,11 @@ let _e7517 = (1u << bitcast<u32>(_e7515));
 let _e7526 = bitcast<i32>((((_e962 + _e7517) - 1u) >> bitcast<u32>(_e7515)));
 let _e7527 = bitcast<i32>((((_e965 + _e7517) - 1u) >> bitcast<u32>(_e7515)));
 if _e487 {
-phi_64109_ = type_25(_e7527, _e7526);
+phi_64110_ = type_26(_e7527, _e7526);
 } else {
-phi_64109_ = type_25(_e7526, _e7527);
+phi_64110_ = type_26(_e7526, _e7527);
 }
-let _e7531 = phi_64109_;
+let _e7531 = phi_64110_;
 let _e7536 = f32((1i << bitcast<u32>(_e7515)));
 let _e7537 = (1f / _e7536);
 let _e7539 = ((_e6968 * _e7537) - 0.5f);
@@ -9641,49 +9653,49 @@ let _e7577 = (1f - _e7575);
 let _e7580 = select(_e7556, 0i, (_e7556 < 0i));
 let _e7581 = (_e7580 >= _e7531.member);
 if _e7581 {
-phi_64187_ = (_e7531.member - 1i);
+phi_64188_ = (_e7531.member - 1i);
 } else {
-phi_64187_ = _e7580;
+phi_64188_ = _e7580;
 }
-let _e7584 = phi_64187_;
+let _e7584 = phi_64188_;
 let _e7586 = select(_e7571, 0i, (_e7571 < 0i));
 let _e7587 = (_e7586 >= _e7531.member_1);
 if _e7587 {
-phi_64198_ = (_e7531.member_1 - 1i);
+phi_64199_ = (_e7531.member_1 - 1i);
 } else {
-phi_64198_ = _e7586;
+phi_64199_ = _e7586;
 }
-let _e7590 = phi_64198_;
+let _e7590 = phi_64199_;
 let _e7594 = (((f32(_e7584) + 0.5f) * _e7536) - 0.5f);
 let _e7598 = (((f32(_e7590) + 0.5f) * _e7536) - 0.5f);
 if _e487 {
-phi_64226_ = type_25(_e7590, _e7584);
+phi_64227_ = type_26(_e7590, _e7584);
 } else {
-phi_64226_ = type_25(_e7584, _e7590);
+phi_64227_ = type_26(_e7584, _e7590);
 }
-let _e7604 = phi_64226_;
+let _e7604 = phi_64227_;
 let _e7610 = bitcast<i32>(((_e962 + 1u) >> bitcast<u32>(1u)));
 let _e7613 = global_1.member.member_18.member_6;
 let _e7616 = global_1.member.member_18.member_7;
 let _e7619 = global_1.member.member_18.member_8;
 if _e1017 {
-phi_64277_ = 0u;
+phi_64278_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_64276_ = 0u;
+phi_64277_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_64275_ = _e7613;
+phi_64276_ = _e7613;
 } else {
-phi_64275_ = select(_e7619, _e7616, (_e800 == 3u));
+phi_64276_ = select(_e7619, _e7616, (_e800 == 3u));
 }
-let _e7625 = phi_64275_;
-phi_64276_ = _e7625;
+let _e7625 = phi_64276_;
+phi_64277_ = _e7625;
 }
-let _e7627 = phi_64276_;
-phi_64277_ = _e7627;
+let _e7627 = phi_64277_;
+phi_64278_ = _e7627;
 }
-let _e7629 = phi_64277_;
+let _e7629 = phi_64278_;
 local_64 = (((bitcast<i32>(_e7629) + _e7604.member_1) * _e7610) + _e7604.member);
 let _e7634 = local_64;
 let _e7636 = (bitcast<i32>(_e296) - 1i);
@@ -9721,43 +9733,43 @@ let _e7747 = (_e7556 + 1i);
 let _e7750 = select(_e7747, 0i, (_e7747 < 0i));
 let _e7751 = (_e7750 >= _e7531.member);
 if _e7751 {
-phi_65261_ = (_e7531.member - 1i);
+phi_65262_ = (_e7531.member - 1i);
 } else {
-phi_65261_ = _e7750;
+phi_65262_ = _e7750;
 }
-let _e7754 = phi_65261_;
+let _e7754 = phi_65262_;
 if _e7587 {
-phi_65272_ = (_e7531.member_1 - 1i);
+phi_65273_ = (_e7531.member_1 - 1i);
 } else {
-phi_65272_ = _e7586;
+phi_65273_ = _e7586;
 }
-let _e7757 = phi_65272_;
+let _e7757 = phi_65273_;
 let _e7761 = (((f32(_e7754) + 0.5f) * _e7536) - 0.5f);
 let _e7765 = (((f32(_e7757) + 0.5f) * _e7536) - 0.5f);
 if _e487 {
-phi_65300_ = type_25(_e7757, _e7754);
+phi_65301_ = type_26(_e7757, _e7754);
 } else {
-phi_65300_ = type_25(_e7754, _e7757);
+phi_65301_ = type_26(_e7754, _e7757);
 }
-let _e7771 = phi_65300_;
+let _e7771 = phi_65301_;
 if _e1017 {
-phi_65351_ = 0u;
+phi_65352_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_65350_ = 0u;
+phi_65351_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_65349_ = _e7613;
+phi_65350_ = _e7613;
 } else {
-phi_65349_ = select(_e7619, _e7616, (_e800 == 3u));
+phi_65350_ = select(_e7619, _e7616, (_e800 == 3u));
 }
-let _e7779 = phi_65349_;
-phi_65350_ = _e7779;
+let _e7779 = phi_65350_;
+phi_65351_ = _e7779;
 }
-let _e7781 = phi_65350_;
-phi_65351_ = _e7781;
+let _e7781 = phi_65351_;
+phi_65352_ = _e7781;
 }
-let _e7783 = phi_65351_;
+let _e7783 = phi_65352_;
 local_62 = (((bitcast<i32>(_e7783) + _e7771.member_1) * _e7610) + _e7771.member);
 let _e7788 = local_62;
 let _e7790 = select(_e7636, _e7788, (_e7788 < _e7636));
@@ -9792,45 +9804,45 @@ let _e7885 = select(0f, _e7876, (((_e7879 >= 0f) && (_e7879 < _e725)) && (_e7876
 let _e7887 = (_e7754 << bitcast<u32>(_e7515));
 let _e7899 = (_e7571 + 1i);
 if _e7581 {
-phi_66335_ = (_e7531.member - 1i);
+phi_66336_ = (_e7531.member - 1i);
 } else {
-phi_66335_ = _e7580;
+phi_66336_ = _e7580;
 }
-let _e7903 = phi_66335_;
+let _e7903 = phi_66336_;
 let _e7905 = select(_e7899, 0i, (_e7899 < 0i));
 let _e7906 = (_e7905 >= _e7531.member_1);
 if _e7906 {
-phi_66346_ = (_e7531.member_1 - 1i);
+phi_66347_ = (_e7531.member_1 - 1i);
 } else {
-phi_66346_ = _e7905;
+phi_66347_ = _e7905;
 }
-let _e7909 = phi_66346_;
+let _e7909 = phi_66347_;
 let _e7913 = (((f32(_e7903) + 0.5f) * _e7536) - 0.5f);
 let _e7917 = (((f32(_e7909) + 0.5f) * _e7536) - 0.5f);
 if _e487 {
-phi_66374_ = type_25(_e7909, _e7903);
+phi_66375_ = type_26(_e7909, _e7903);
 } else {
-phi_66374_ = type_25(_e7903, _e7909);
+phi_66375_ = type_26(_e7903, _e7909);
 }
-let _e7923 = phi_66374_;
+let _e7923 = phi_66375_;
 if _e1017 {
-phi_66425_ = 0u;
+phi_66426_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_66424_ = 0u;
+phi_66425_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_66423_ = _e7613;
+phi_66424_ = _e7613;
 } else {
-phi_66423_ = select(_e7619, _e7616, (_e800 == 3u));
+phi_66424_ = select(_e7619, _e7616, (_e800 == 3u));
 }
-let _e7931 = phi_66423_;
-phi_66424_ = _e7931;
+let _e7931 = phi_66424_;
+phi_66425_ = _e7931;
 }
-let _e7933 = phi_66424_;
-phi_66425_ = _e7933;
+let _e7933 = phi_66425_;
+phi_66426_ = _e7933;
 }
-let _e7935 = phi_66425_;
+let _e7935 = phi_66426_;
 local_60 = (((bitcast<i32>(_e7935) + _e7923.member_1) * _e7610) + _e7923.member);
 let _e7940 = local_60;
 let _e7942 = select(_e7636, _e7940, (_e7940 < _e7636));
@@ -9864,43 +9876,43 @@ let _e8031 = (((_e8008 * _e7998) - _e8003) * _e8025);
 let _e8037 = select(0f, _e8028, (((_e8031 >= 0f) && (_e8031 < _e725)) && (_e8028 > 0f)));
 let _e8039 = (_e7903 << bitcast<u32>(_e7515));
 if _e7751 {
-phi_67409_ = (_e7531.member - 1i);
+phi_67410_ = (_e7531.member - 1i);
 } else {
-phi_67409_ = _e7750;
+phi_67410_ = _e7750;
 }
-let _e8054 = phi_67409_;
+let _e8054 = phi_67410_;
 if _e7906 {
-phi_67420_ = (_e7531.member_1 - 1i);
+phi_67421_ = (_e7531.member_1 - 1i);
 } else {
-phi_67420_ = _e7905;
+phi_67421_ = _e7905;
 }
-let _e8057 = phi_67420_;
+let _e8057 = phi_67421_;
 let _e8061 = (((f32(_e8054) + 0.5f) * _e7536) - 0.5f);
 let _e8065 = (((f32(_e8057) + 0.5f) * _e7536) - 0.5f);
 if _e487 {
-phi_67448_ = type_25(_e8057, _e8054);
+phi_67449_ = type_26(_e8057, _e8054);
 } else {
-phi_67448_ = type_25(_e8054, _e8057);
+phi_67449_ = type_26(_e8054, _e8057);
 }
-let _e8071 = phi_67448_;
+let _e8071 = phi_67449_;
 if _e1017 {
-phi_67499_ = 0u;
+phi_67500_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_67498_ = 0u;
+phi_67499_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_67497_ = _e7613;
+phi_67498_ = _e7613;
 } else {
-phi_67497_ = select(_e7619, _e7616, (_e800 == 3u));
+phi_67498_ = select(_e7619, _e7616, (_e800 == 3u));
 }
-let _e8079 = phi_67497_;
-phi_67498_ = _e8079;
+let _e8079 = phi_67498_;
+phi_67499_ = _e8079;
 }
-let _e8081 = phi_67498_;
-phi_67499_ = _e8081;
+let _e8081 = phi_67499_;
+phi_67500_ = _e8081;
 }
-let _e8083 = phi_67499_;
+let _e8083 = phi_67500_;
 local_58 = (((bitcast<i32>(_e8083) + _e8071.member_1) * _e7610) + _e8071.member);
 let _e8088 = local_58;
 let _e8090 = select(_e7636, _e8088, (_e8088 < _e7636));
@@ -9939,11 +9951,11 @@ let _e8202 = (1u << bitcast<u32>(_e8200));
 let _e8211 = bitcast<i32>((((_e962 + _e8202) - 1u) >> bitcast<u32>(_e8200)));
 let _e8212 = bitcast<i32>((((_e965 + _e8202) - 1u) >> bitcast<u32>(_e8200)));
 if _e487 {
-phi_68501_ = type_25(_e8212, _e8211);
+phi_68502_ = type_26(_e8212, _e8211);
 } else {
-phi_68501_ = type_25(_e8211, _e8212);
+phi_68502_ = type_26(_e8211, _e8212);
 }
-let _e8216 = phi_68501_;
+let _e8216 = phi_68502_;
 let _e8221 = f32((1i << bitcast<u32>(_e8200)));
 let _e8222 = (1f / _e8221);
 let _e8224 = ((_e6968 * _e8222) - 0.5f);
@@ -9963,46 +9975,46 @@ let _e8262 = (1f - _e8260);
 let _e8265 = select(_e8241, 0i, (_e8241 < 0i));
 let _e8266 = (_e8265 >= _e8216.member);
 if _e8266 {
-phi_68579_ = (_e8216.member - 1i);
+phi_68580_ = (_e8216.member - 1i);
 } else {
-phi_68579_ = _e8265;
+phi_68580_ = _e8265;
 }
-let _e8269 = phi_68579_;
+let _e8269 = phi_68580_;
 let _e8271 = select(_e8256, 0i, (_e8256 < 0i));
 let _e8272 = (_e8271 >= _e8216.member_1);
 if _e8272 {
-phi_68590_ = (_e8216.member_1 - 1i);
+phi_68591_ = (_e8216.member_1 - 1i);
 } else {
-phi_68590_ = _e8271;
+phi_68591_ = _e8271;
 }
-let _e8275 = phi_68590_;
+let _e8275 = phi_68591_;
 let _e8279 = (((f32(_e8269) + 0.5f) * _e8221) - 0.5f);
 let _e8283 = (((f32(_e8275) + 0.5f) * _e8221) - 0.5f);
 if _e487 {
-phi_68618_ = type_25(_e8275, _e8269);
+phi_68619_ = type_26(_e8275, _e8269);
 } else {
-phi_68618_ = type_25(_e8269, _e8275);
+phi_68619_ = type_26(_e8269, _e8275);
 }
-let _e8289 = phi_68618_;
+let _e8289 = phi_68619_;
 let _e8292 = (_e6947 == 0u);
 if _e8292 {
-phi_68669_ = 0u;
+phi_68670_ = 0u;
 } else {
 if (_e6947 == 1u) {
-phi_68668_ = 0u;
+phi_68669_ = 0u;
 } else {
 if (_e6947 == 2u) {
-phi_68667_ = _e7613;
+phi_68668_ = _e7613;
 } else {
-phi_68667_ = select(_e7619, _e7616, (_e6947 == 3u));
+phi_68668_ = select(_e7619, _e7616, (_e6947 == 3u));
 }
-let _e8298 = phi_68667_;
-phi_68668_ = _e8298;
+let _e8298 = phi_68668_;
+phi_68669_ = _e8298;
 }
-let _e8300 = phi_68668_;
-phi_68669_ = _e8300;
+let _e8300 = phi_68669_;
+phi_68670_ = _e8300;
 }
-let _e8302 = phi_68669_;
+let _e8302 = phi_68670_;
 local_56 = (((bitcast<i32>(_e8302) + _e8289.member_1) * _e7610) + _e8289.member);
 let _e8307 = local_56;
 let _e8309 = select(_e7636, _e8307, (_e8307 < _e7636));
@@ -10039,43 +10051,43 @@ let _e8418 = (_e8241 + 1i);
 let _e8421 = select(_e8418, 0i, (_e8418 < 0i));
 let _e8422 = (_e8421 >= _e8216.member);
 if _e8422 {
-phi_69653_ = (_e8216.member - 1i);
+phi_69654_ = (_e8216.member - 1i);
 } else {
-phi_69653_ = _e8421;
+phi_69654_ = _e8421;
 }
-let _e8425 = phi_69653_;
+let _e8425 = phi_69654_;
 if _e8272 {
-phi_69664_ = (_e8216.member_1 - 1i);
+phi_69665_ = (_e8216.member_1 - 1i);
 } else {
-phi_69664_ = _e8271;
+phi_69665_ = _e8271;
 }
-let _e8428 = phi_69664_;
+let _e8428 = phi_69665_;
 let _e8432 = (((f32(_e8425) + 0.5f) * _e8221) - 0.5f);
 let _e8436 = (((f32(_e8428) + 0.5f) * _e8221) - 0.5f);
 if _e487 {
-phi_69692_ = type_25(_e8428, _e8425);
+phi_69693_ = type_26(_e8428, _e8425);
 } else {
-phi_69692_ = type_25(_e8425, _e8428);
+phi_69693_ = type_26(_e8425, _e8428);
 }
-let _e8442 = phi_69692_;
+let _e8442 = phi_69693_;
 if _e8292 {
-phi_69743_ = 0u;
+phi_69744_ = 0u;
 } else {
 if (_e6947 == 1u) {
-phi_69742_ = 0u;
+phi_69743_ = 0u;
 } else {
 if (_e6947 == 2u) {
-phi_69741_ = _e7613;
+phi_69742_ = _e7613;
 } else {
-phi_69741_ = select(_e7619, _e7616, (_e6947 == 3u));
+phi_69742_ = select(_e7619, _e7616, (_e6947 == 3u));
 }
-let _e8450 = phi_69741_;
-phi_69742_ = _e8450;
+let _e8450 = phi_69742_;
+phi_69743_ = _e8450;
 }
-let _e8452 = phi_69742_;
-phi_69743_ = _e8452;
+let _e8452 = phi_69743_;
+phi_69744_ = _e8452;
 }
-let _e8454 = phi_69743_;
+let _e8454 = phi_69744_;
 local_54 = (((bitcast<i32>(_e8454) + _e8442.member_1) * _e7610) + _e8442.member);
 let _e8459 = local_54;
 let _e8461 = select(_e7636, _e8459, (_e8459 < _e7636));
@@ -10110,45 +10122,45 @@ let _e8556 = select(0f, _e8547, (((_e8550 >= 0f) && (_e8550 < _e725)) && (_e8547
 let _e8558 = (_e8425 << bitcast<u32>(_e8200));
 let _e8570 = (_e8256 + 1i);
 if _e8266 {
-phi_70727_ = (_e8216.member - 1i);
+phi_70728_ = (_e8216.member - 1i);
 } else {
-phi_70727_ = _e8265;
+phi_70728_ = _e8265;
 }
-let _e8574 = phi_70727_;
+let _e8574 = phi_70728_;
 let _e8576 = select(_e8570, 0i, (_e8570 < 0i));
 let _e8577 = (_e8576 >= _e8216.member_1);
 if _e8577 {
-phi_70738_ = (_e8216.member_1 - 1i);
+phi_70739_ = (_e8216.member_1 - 1i);
 } else {
-phi_70738_ = _e8576;
+phi_70739_ = _e8576;
 }
-let _e8580 = phi_70738_;
+let _e8580 = phi_70739_;
 let _e8584 = (((f32(_e8574) + 0.5f) * _e8221) - 0.5f);
 let _e8588 = (((f32(_e8580) + 0.5f) * _e8221) - 0.5f);
 if _e487 {
-phi_70766_ = type_25(_e8580, _e8574);
+phi_70767_ = type_26(_e8580, _e8574);
 } else {
-phi_70766_ = type_25(_e8574, _e8580);
+phi_70767_ = type_26(_e8574, _e8580);
 }
-let _e8594 = phi_70766_;
+let _e8594 = phi_70767_;
 if _e8292 {
-phi_70817_ = 0u;
+phi_70818_ = 0u;
 } else {
 if (_e6947 == 1u) {
-phi_70816_ = 0u;
+phi_70817_ = 0u;
 } else {
 if (_e6947 == 2u) {
-phi_70815_ = _e7613;
+phi_70816_ = _e7613;
 } else {
-phi_70815_ = select(_e7619, _e7616, (_e6947 == 3u));
+phi_70816_ = select(_e7619, _e7616, (_e6947 == 3u));
 }
-let _e8602 = phi_70815_;
-phi_70816_ = _e8602;
+let _e8602 = phi_70816_;
+phi_70817_ = _e8602;
 }
-let _e8604 = phi_70816_;
-phi_70817_ = _e8604;
+let _e8604 = phi_70817_;
+phi_70818_ = _e8604;
 }
-let _e8606 = phi_70817_;
+let _e8606 = phi_70818_;
 local_52 = (((bitcast<i32>(_e8606) + _e8594.member_1) * _e7610) + _e8594.member);
 let _e8611 = local_52;
 let _e8613 = select(_e7636, _e8611, (_e8611 < _e7636));
@@ -10182,43 +10194,43 @@ let _e8702 = (((_e8679 * _e8669) - _e8674) * _e8696);
 let _e8708 = select(0f, _e8699, (((_e8702 >= 0f) && (_e8702 < _e725)) && (_e8699 > 0f)));
 let _e8710 = (_e8574 << bitcast<u32>(_e8200));
 if _e8422 {
-phi_71801_ = (_e8216.member - 1i);
+phi_71802_ = (_e8216.member - 1i);
 } else {
-phi_71801_ = _e8421;
+phi_71802_ = _e8421;
 }
-let _e8725 = phi_71801_;
+let _e8725 = phi_71802_;
 if _e8577 {
-phi_71812_ = (_e8216.member_1 - 1i);
+phi_71813_ = (_e8216.member_1 - 1i);
 } else {
-phi_71812_ = _e8576;
+phi_71813_ = _e8576;
 }
-let _e8728 = phi_71812_;
+let _e8728 = phi_71813_;
 let _e8732 = (((f32(_e8725) + 0.5f) * _e8221) - 0.5f);
 let _e8736 = (((f32(_e8728) + 0.5f) * _e8221) - 0.5f);
 if _e487 {
-phi_71840_ = type_25(_e8728, _e8725);
+phi_71841_ = type_26(_e8728, _e8725);
 } else {
-phi_71840_ = type_25(_e8725, _e8728);
+phi_71841_ = type_26(_e8725, _e8728);
 }
-let _e8742 = phi_71840_;
+let _e8742 = phi_71841_;
 if _e8292 {
-phi_71891_ = 0u;
+phi_71892_ = 0u;
 } else {
 if (_e6947 == 1u) {
-phi_71890_ = 0u;
+phi_71891_ = 0u;
 } else {
 if (_e6947 == 2u) {
-phi_71889_ = _e7613;
+phi_71890_ = _e7613;
 } else {
-phi_71889_ = select(_e7619, _e7616, (_e6947 == 3u));
+phi_71890_ = select(_e7619, _e7616, (_e6947 == 3u));
 }
-let _e8750 = phi_71889_;
-phi_71890_ = _e8750;
+let _e8750 = phi_71890_;
+phi_71891_ = _e8750;
 }
-let _e8752 = phi_71890_;
-phi_71891_ = _e8752;
+let _e8752 = phi_71891_;
+phi_71892_ = _e8752;
 }
-let _e8754 = phi_71891_;
+let _e8754 = phi_71892_;
 local_50 = (((bitcast<i32>(_e8754) + _e8742.member_1) * _e7610) + _e8742.member);
 let _e8759 = local_50;
 let _e8761 = select(_e7636, _e8759, (_e8759 < _e7636));
@@ -10257,11 +10269,11 @@ let _e8873 = (1u << bitcast<u32>(_e8871));
 let _e8882 = bitcast<i32>((((_e962 + _e8873) - 1u) >> bitcast<u32>(_e8871)));
 let _e8883 = bitcast<i32>((((_e965 + _e8873) - 1u) >> bitcast<u32>(_e8871)));
 if _e487 {
-phi_72893_ = type_25(_e8883, _e8882);
+phi_72894_ = type_26(_e8883, _e8882);
 } else {
-phi_72893_ = type_25(_e8882, _e8883);
+phi_72894_ = type_26(_e8882, _e8883);
 }
-let _e8887 = phi_72893_;
+let _e8887 = phi_72894_;
 let _e8892 = f32((1i << bitcast<u32>(_e8871)));
 let _e8893 = (1f / _e8892);
 let _e8895 = ((_e6968 * _e8893) - 0.5f);
@@ -10281,46 +10293,46 @@ let _e8933 = (1f - _e8931);
 let _e8936 = select(_e8912, 0i, (_e8912 < 0i));
 let _e8937 = (_e8936 >= _e8887.member);
 if _e8937 {
-phi_72971_ = (_e8887.member - 1i);
+phi_72972_ = (_e8887.member - 1i);
 } else {
-phi_72971_ = _e8936;
+phi_72972_ = _e8936;
 }
-let _e8940 = phi_72971_;
+let _e8940 = phi_72972_;
 let _e8942 = select(_e8927, 0i, (_e8927 < 0i));
 let _e8943 = (_e8942 >= _e8887.member_1);
 if _e8943 {
-phi_72982_ = (_e8887.member_1 - 1i);
+phi_72983_ = (_e8887.member_1 - 1i);
 } else {
-phi_72982_ = _e8942;
+phi_72983_ = _e8942;
 }
-let _e8946 = phi_72982_;
+let _e8946 = phi_72983_;
 let _e8950 = (((f32(_e8940) + 0.5f) * _e8892) - 0.5f);
 let _e8954 = (((f32(_e8946) + 0.5f) * _e8892) - 0.5f);
 if _e487 {
-phi_73010_ = type_25(_e8946, _e8940);
+phi_73011_ = type_26(_e8946, _e8940);
 } else {
-phi_73010_ = type_25(_e8940, _e8946);
+phi_73011_ = type_26(_e8940, _e8946);
 }
-let _e8960 = phi_73010_;
+let _e8960 = phi_73011_;
 let _e8963 = (_e6951 == 0u);
 if _e8963 {
-phi_73061_ = 0u;
+phi_73062_ = 0u;
 } else {
 if (_e6951 == 1u) {
-phi_73060_ = 0u;
+phi_73061_ = 0u;
 } else {
 if (_e6951 == 2u) {
-phi_73059_ = _e7613;
+phi_73060_ = _e7613;
 } else {
-phi_73059_ = select(_e7619, _e7616, (_e6951 == 3u));
+phi_73060_ = select(_e7619, _e7616, (_e6951 == 3u));
 }
-let _e8969 = phi_73059_;
-phi_73060_ = _e8969;
+let _e8969 = phi_73060_;
+phi_73061_ = _e8969;
 }
-let _e8971 = phi_73060_;
-phi_73061_ = _e8971;
+let _e8971 = phi_73061_;
+phi_73062_ = _e8971;
 }
-let _e8973 = phi_73061_;
+let _e8973 = phi_73062_;
 local_48 = (((bitcast<i32>(_e8973) + _e8960.member_1) * _e7610) + _e8960.member);
 let _e8978 = local_48;
 let _e8980 = select(_e7636, _e8978, (_e8978 < _e7636));
@@ -10357,43 +10369,43 @@ let _e9089 = (_e8912 + 1i);
 let _e9092 = select(_e9089, 0i, (_e9089 < 0i));
 let _e9093 = (_e9092 >= _e8887.member);
 if _e9093 {
-phi_74045_ = (_e8887.member - 1i);
+phi_74046_ = (_e8887.member - 1i);
 } else {
-phi_74045_ = _e9092;
+phi_74046_ = _e9092;
 }
-let _e9096 = phi_74045_;
+let _e9096 = phi_74046_;
 if _e8943 {
-phi_74056_ = (_e8887.member_1 - 1i);
+phi_74057_ = (_e8887.member_1 - 1i);
 } else {
-phi_74056_ = _e8942;
+phi_74057_ = _e8942;
 }
-let _e9099 = phi_74056_;
+let _e9099 = phi_74057_;
 let _e9103 = (((f32(_e9096) + 0.5f) * _e8892) - 0.5f);
 let _e9107 = (((f32(_e9099) + 0.5f) * _e8892) - 0.5f);
 if _e487 {
-phi_74084_ = type_25(_e9099, _e9096);
+phi_74085_ = type_26(_e9099, _e9096);
 } else {
-phi_74084_ = type_25(_e9096, _e9099);
+phi_74085_ = type_26(_e9096, _e9099);
 }
-let _e9113 = phi_74084_;
+let _e9113 = phi_74085_;
 if _e8963 {
-phi_74135_ = 0u;
+phi_74136_ = 0u;
 } else {
 if (_e6951 == 1u) {
-phi_74134_ = 0u;
+phi_74135_ = 0u;
 } else {
 if (_e6951 == 2u) {
-phi_74133_ = _e7613;
+phi_74134_ = _e7613;
 } else {
-phi_74133_ = select(_e7619, _e7616, (_e6951 == 3u));
+phi_74134_ = select(_e7619, _e7616, (_e6951 == 3u));
 }
-let _e9121 = phi_74133_;
-phi_74134_ = _e9121;
+let _e9121 = phi_74134_;
+phi_74135_ = _e9121;
 }
-let _e9123 = phi_74134_;
-phi_74135_ = _e9123;
+let _e9123 = phi_74135_;
+phi_74136_ = _e9123;
 }
-let _e9125 = phi_74135_;
+let _e9125 = phi_74136_;
 local_46 = (((bitcast<i32>(_e9125) + _e9113.member_1) * _e7610) + _e9113.member);
 let _e9130 = local_46;
 let _e9132 = select(_e7636, _e9130, (_e9130 < _e7636));
@@ -10428,45 +10440,45 @@ let _e9227 = select(0f, _e9218, (((_e9221 >= 0f) && (_e9221 < _e725)) && (_e9218
 let _e9229 = (_e9096 << bitcast<u32>(_e8871));
 let _e9241 = (_e8927 + 1i);
 if _e8937 {
-phi_75119_ = (_e8887.member - 1i);
+phi_75120_ = (_e8887.member - 1i);
 } else {
-phi_75119_ = _e8936;
+phi_75120_ = _e8936;
 }
-let _e9245 = phi_75119_;
+let _e9245 = phi_75120_;
 let _e9247 = select(_e9241, 0i, (_e9241 < 0i));
 let _e9248 = (_e9247 >= _e8887.member_1);
 if _e9248 {
-phi_75130_ = (_e8887.member_1 - 1i);
+phi_75131_ = (_e8887.member_1 - 1i);
 } else {
-phi_75130_ = _e9247;
+phi_75131_ = _e9247;
 }
-let _e9251 = phi_75130_;
+let _e9251 = phi_75131_;
 let _e9255 = (((f32(_e9245) + 0.5f) * _e8892) - 0.5f);
 let _e9259 = (((f32(_e9251) + 0.5f) * _e8892) - 0.5f);
 if _e487 {
-phi_75158_ = type_25(_e9251, _e9245);
+phi_75159_ = type_26(_e9251, _e9245);
 } else {
-phi_75158_ = type_25(_e9245, _e9251);
+phi_75159_ = type_26(_e9245, _e9251);
 }
-let _e9265 = phi_75158_;
+let _e9265 = phi_75159_;
 if _e8963 {
-phi_75209_ = 0u;
+phi_75210_ = 0u;
 } else {
 if (_e6951 == 1u) {
-phi_75208_ = 0u;
+phi_75209_ = 0u;
 } else {
 if (_e6951 == 2u) {
-phi_75207_ = _e7613;
+phi_75208_ = _e7613;
 } else {
-phi_75207_ = select(_e7619, _e7616, (_e6951 == 3u));
+phi_75208_ = select(_e7619, _e7616, (_e6951 == 3u));
 }
-let _e9273 = phi_75207_;
-phi_75208_ = _e9273;
+let _e9273 = phi_75208_;
+phi_75209_ = _e9273;
 }
-let _e9275 = phi_75208_;
-phi_75209_ = _e9275;
+let _e9275 = phi_75209_;
+phi_75210_ = _e9275;
 }
-let _e9277 = phi_75209_;
+let _e9277 = phi_75210_;
 local_44 = (((bitcast<i32>(_e9277) + _e9265.member_1) * _e7610) + _e9265.member);
 let _e9282 = local_44;
 let _e9284 = select(_e7636, _e9282, (_e9282 < _e7636));
@@ -10500,43 +10512,43 @@ let _e9373 = (((_e9350 * _e9340) - _e9345) * _e9367);
 let _e9379 = select(0f, _e9370, (((_e9373 >= 0f) && (_e9373 < _e725)) && (_e9370 > 0f)));
 let _e9381 = (_e9245 << bitcast<u32>(_e8871));
 if _e9093 {
-phi_76193_ = (_e8887.member - 1i);
+phi_76194_ = (_e8887.member - 1i);
 } else {
-phi_76193_ = _e9092;
+phi_76194_ = _e9092;
 }
-let _e9396 = phi_76193_;
+let _e9396 = phi_76194_;
 if _e9248 {
-phi_76204_ = (_e8887.member_1 - 1i);
+phi_76205_ = (_e8887.member_1 - 1i);
 } else {
-phi_76204_ = _e9247;
+phi_76205_ = _e9247;
 }
-let _e9399 = phi_76204_;
+let _e9399 = phi_76205_;
 let _e9403 = (((f32(_e9396) + 0.5f) * _e8892) - 0.5f);
 let _e9407 = (((f32(_e9399) + 0.5f) * _e8892) - 0.5f);
 if _e487 {
-phi_76232_ = type_25(_e9399, _e9396);
+phi_76233_ = type_26(_e9399, _e9396);
 } else {
-phi_76232_ = type_25(_e9396, _e9399);
+phi_76233_ = type_26(_e9396, _e9399);
 }
-let _e9413 = phi_76232_;
+let _e9413 = phi_76233_;
 if _e8963 {
-phi_76283_ = 0u;
+phi_76284_ = 0u;
 } else {
 if (_e6951 == 1u) {
-phi_76282_ = 0u;
+phi_76283_ = 0u;
 } else {
 if (_e6951 == 2u) {
-phi_76281_ = _e7613;
+phi_76282_ = _e7613;
 } else {
-phi_76281_ = select(_e7619, _e7616, (_e6951 == 3u));
+phi_76282_ = select(_e7619, _e7616, (_e6951 == 3u));
 }
-let _e9421 = phi_76281_;
-phi_76282_ = _e9421;
+let _e9421 = phi_76282_;
+phi_76283_ = _e9421;
 }
-let _e9423 = phi_76282_;
-phi_76283_ = _e9423;
+let _e9423 = phi_76283_;
+phi_76284_ = _e9423;
 }
-let _e9425 = phi_76283_;
+let _e9425 = phi_76284_;
 local_42 = (((bitcast<i32>(_e9425) + _e9413.member_1) * _e7610) + _e9413.member);
 let _e9430 = local_42;
 let _e9432 = select(_e7636, _e9430, (_e9430 < _e7636));
@@ -10571,11 +10583,11 @@ let _e9527 = select(0f, _e9518, (((_e9521 >= 0f) && (_e9521 < _e725)) && (_e9518
 let _e9529 = (_e9396 << bitcast<u32>(_e8871));
 let _e9541 = select(((((_e8870 - select(0f, (_e8932 * _e8933), (((select(select(_e800, _e957, (_e9077 >= _e726)), _e879, (_e9077 < _e332)) == _e6951) && (_e9075 > 0f)) && (_e9075 < _e8985)))) - select(0f, (_e8929 * _e8933), (((select(select(_e800, _e957, (_e9229 >= _e726)), _e879, (_e9229 < _e332)) == _e6951) && (_e9227 > 0f)) && (_e9227 < _e9137)))) - select(0f, (_e8932 * _e8931), (((select(select(_e800, _e957, (_e9381 >= _e726)), _e879, (_e9381 < _e332)) == _e6951) && (_e9379 > 0f)) && (_e9379 < _e9289)))) - select(0f, (_e8929 * _e8931), (((select(select(_e800, _e957, (_e9529 >= _e726)), _e879, (_e9529 < _e332)) == _e6951) && (_e9527 > 0f)) && (_e9527 < _e9437)))), _e8870, _e8963);
 if _e487 {
-phi_77276_ = type_25(_e7058, _e6966);
+phi_77277_ = type_26(_e7058, _e6966);
 } else {
-phi_77276_ = type_25(_e6966, _e7058);
+phi_77277_ = type_26(_e6966, _e7058);
 }
-let _e9556 = phi_77276_;
+let _e9556 = phi_77277_;
 let _e9559 = (_e7059 && (((_e7514 > 0f) && (_e7514 < _e7138)) && (bitcast<f32>((bitcast<u32>(_e9541) & 2147483647u)) > 1e-6f)));
 let _e9562 = global_1.member.member_18.member;
 let _e9563 = (((select(_e7084, (1f - _e7084), (_e7069 >= 0f)) - select(_e7103, (1f - _e7103), (_e7088 >= 0f))) * (1f / _e7066)) * _e9562);
@@ -10616,11 +10628,11 @@ if ((_e9597 | _e9604) == 0u) {
 let _e9680 = bitcast<u32>(_e9677);
 if (_e9680 < _e304) {
 let _e9684 = atomicAdd((&global_8.member[_e9680]), _e9597);
-phi_77509_ = _e9684;
+phi_77510_ = _e9684;
 } else {
-phi_77509_ = 0u;
+phi_77510_ = 0u;
 }
-let _e9686 = phi_77509_;
+let _e9686 = phi_77510_;
 let _e9690 = (_e9604 + select(0u, 1u, ((_e9686 + _e9597) < _e9597)));
 if (_e9690 == 0u) {
 } else {
@@ -10635,11 +10647,11 @@ if ((_e9631 | _e9638) == 0u) {
 let _e9700 = bitcast<u32>((_e9677 + 2i));
 if (_e9700 < _e304) {
 let _e9704 = atomicAdd((&global_8.member[_e9700]), _e9631);
-phi_77539_ = _e9704;
+phi_77540_ = _e9704;
 } else {
-phi_77539_ = 0u;
+phi_77540_ = 0u;
 }
-let _e9706 = phi_77539_;
+let _e9706 = phi_77540_;
 let _e9710 = (_e9638 + select(0u, 1u, ((_e9706 + _e9631) < _e9631)));
 if (_e9710 == 0u) {
 } else {
@@ -10654,11 +10666,11 @@ if ((_e9665 | _e9672) == 0u) {
 let _e9720 = bitcast<u32>((_e9677 + 4i));
 if (_e9720 < _e304) {
 let _e9724 = atomicAdd((&global_8.member[_e9720]), _e9665);
-phi_77569_ = _e9724;
+phi_77570_ = _e9724;
 } else {
-phi_77569_ = 0u;
+phi_77570_ = 0u;
 }
-let _e9726 = phi_77569_;
+let _e9726 = phi_77570_;
 let _e9730 = (_e9672 + select(0u, 1u, ((_e9726 + _e9665) < _e9665)));
 if (_e9730 == 0u) {
 } else {
@@ -10668,25 +10680,25 @@ let _e9736 = atomicAdd((&global_8.member[_e9732]), _e9730);
 }
 }
 }
-phi_62952_ = (_e7056 + 1i);
+phi_62953_ = (_e7056 + 1i);
 } else {
-phi_62952_ = i32();
+phi_62953_ = i32();
 }
-let _e9739 = phi_62952_;
+let _e9739 = phi_62953_;
 continue;
 continuing {
-phi_62951_ = _e9739;
+phi_62952_ = _e9739;
 break if !(_e7059);
 }
 }
-phi_62798_ = (_e6963 + 1i);
+phi_62799_ = (_e6963 + 1i);
 } else {
-phi_62798_ = i32();
+phi_62799_ = i32();
 }
-let _e9743 = phi_62798_;
+let _e9743 = phi_62799_;
 continue;
 continuing {
-phi_62797_ = _e9743;
+phi_62798_ = _e9743;
 break if !(_e6964);
 }
 }
@@ -10698,23 +10710,23 @@ let _e1020 = (1u << bitcast<u32>(_e1018));
 let _e1029 = bitcast<i32>((((_e962 + _e1020) - 1u) >> bitcast<u32>(_e1018)));
 let _e1030 = bitcast<i32>((((_e965 + _e1020) - 1u) >> bitcast<u32>(_e1018)));
 if _e487 {
-phi_77635_ = type_25(_e1030, _e1029);
+phi_77636_ = type_26(_e1030, _e1029);
 } else {
-phi_77635_ = type_25(_e1029, _e1030);
+phi_77636_ = type_26(_e1029, _e1030);
 }
-let _e1034 = phi_77635_;
+let _e1034 = phi_77636_;
 let _e1038 = (_e992 >> bitcast<u32>(_e1018));
 if (_e1038 < _e1034.member) {
-phi_77710_ = _e1038;
+phi_77711_ = _e1038;
 } else {
-phi_77710_ = (_e1034.member - 1i);
+phi_77711_ = (_e1034.member - 1i);
 }
-let _e1044 = phi_77710_;
-phi_77714_ = type_25(2147483647i, -1i);
-phi_77717_ = 0i;
+let _e1044 = phi_77711_;
+phi_77715_ = type_26(2147483647i, -1i);
+phi_77718_ = 0i;
 loop {
-let _e1047 = phi_77714_;
-let _e1049 = phi_77717_;
+let _e1047 = phi_77715_;
+let _e1049 = phi_77718_;
 local_259 = _e1047;
 local_260 = _e1047;
 let _e1050 = (_e1049 < 16i);
@@ -10748,11 +10760,11 @@ let _e1145 = select(_e1137, _e1143, (_e1143 > _e1137));
 let _e1147 = (0.5f * (_e1141 + _e1145));
 let _e1148 = (0.5f / _e1145);
 let _e1149 = (1f / _e1141);
-phi_77868_ = _e1047;
-phi_77871_ = 0i;
+phi_77869_ = _e1047;
+phi_77872_ = 0i;
 loop {
-let _e1151 = phi_77868_;
-let _e1153 = phi_77871_;
+let _e1151 = phi_77869_;
+let _e1153 = phi_77872_;
 local_269 = _e1151;
 let _e1156 = (((_e1126 - select(0i, 1i, (_e1119 < f32(_e1126)))) + (_e1049 >> bitcast<u32>(_e1055))) + (_e1153 << bitcast<u32>(_e1018)));
 let _e1157 = (_e1156 <= select(-1i, (_e1109 - select(0i, 1i, (_e1102 < f32(_e1109)))), (_e1060 <= _e1044)));
@@ -10776,34 +10788,34 @@ let _e1194 = select(_e1145, _e1192, (_e1192 < _e1145));
 let _e1197 = (_e1190 - _e1145);
 let _e1201 = (((_e1194 * (_e1194 * _e1148)) + select(0f, _e1197, (_e1197 > 0f))) * _e1149);
 if _e487 {
-phi_78001_ = type_25(_e1156, _e1060);
+phi_78002_ = type_26(_e1156, _e1060);
 } else {
-phi_78001_ = type_25(_e1060, _e1156);
+phi_78002_ = type_26(_e1060, _e1156);
 }
-let _e1212 = phi_78001_;
+let _e1212 = phi_78002_;
 let _e1218 = bitcast<i32>(((_e962 + 1u) >> bitcast<u32>(1u)));
 let _e1221 = global_1.member.member_18.member_9;
 let _e1226 = global_1.member.member_18.member_6;
 let _e1229 = global_1.member.member_18.member_7;
 let _e1232 = global_1.member.member_18.member_8;
 if _e1017 {
-phi_78052_ = 0u;
+phi_78053_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_78051_ = 0u;
+phi_78052_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_78050_ = _e1226;
+phi_78051_ = _e1226;
 } else {
-phi_78050_ = select(_e1232, _e1229, (_e800 == 3u));
+phi_78051_ = select(_e1232, _e1229, (_e800 == 3u));
 }
-let _e1238 = phi_78050_;
-phi_78051_ = _e1238;
+let _e1238 = phi_78051_;
+phi_78052_ = _e1238;
 }
-let _e1240 = phi_78051_;
-phi_78052_ = _e1240;
+let _e1240 = phi_78052_;
+phi_78053_ = _e1240;
 }
-let _e1242 = phi_78052_;
+let _e1242 = phi_78053_;
 local_40 = (((bitcast<i32>(_e1242) + _e1212.member_1) * _e1218) + _e1212.member);
 local_41 = (_e1218 * bitcast<i32>(_e1221));
 let _e1247 = local_40;
@@ -10825,18 +10837,18 @@ let _e1282 = ((_e1212.member << bitcast<u32>(_e1018)) + _e1279);
 let _e1285 = ((_e1212.member_1 << bitcast<u32>(_e1018)) + _e1279);
 let _e1287 = select(_e1282, 0i, (_e1282 < 0i));
 if (_e1287 >= _e966) {
-phi_78178_ = (_e966 - 1i);
+phi_78179_ = (_e966 - 1i);
 } else {
-phi_78178_ = _e1287;
+phi_78179_ = _e1287;
 }
-let _e1291 = phi_78178_;
+let _e1291 = phi_78179_;
 let _e1293 = select(_e1285, 0i, (_e1285 < 0i));
 if (_e1293 >= _e967) {
-phi_78189_ = (_e967 - 1i);
+phi_78190_ = (_e967 - 1i);
 } else {
-phi_78189_ = _e1293;
+phi_78190_ = _e1293;
 }
-let _e1297 = phi_78189_;
+let _e1297 = phi_78190_;
 local_38 = bitcast<i32>((_e962 * _e965));
 local_39 = ((_e1297 * _e966) + _e1291);
 let _e1302 = local_38;
@@ -10904,11 +10916,11 @@ let _e1498 = global_2.member[bitcast<u32>(select(0i, _e1493, (_e1493 > 0i)))];
 let _e1500 = (_e1488 + (_e1484 + 1i));
 let _e1502 = select(_e1491, _e1500, (_e1500 < _e1491));
 let _e1507 = global_2.member[bitcast<u32>(select(0i, _e1502, (_e1502 > 0i)))];
-phi_78612_ = (_e1498 + ((_e1507 - _e1498) * (_e1468 - f32(_e1484))));
+phi_78613_ = (_e1498 + ((_e1507 - _e1498) * (_e1468 - f32(_e1484))));
 } else {
-phi_78612_ = select(((1f - _e1439) / (_e1445 * sqrt(select(0f, _e1445, (_e1445 > 0f))))), (0.75f * (1f + (_e1435 * _e1435))), (_e1457 == 1u));
+phi_78613_ = select(((1f - _e1439) / (_e1445 * sqrt(select(0f, _e1445, (_e1445 > 0f))))), (0.75f * (1f + (_e1435 * _e1435))), (_e1457 == 1u));
 }
-let _e1514 = phi_78612_;
+let _e1514 = phi_78613_;
 let _e1517 = (_e1384 * (_e1514 * (0.25f / 3.1415927f)));
 let _e1518 = (_e1426 - _e1313);
 let _e1521 = (_e1429 + select(0f, _e1518, (_e1518 > 0f)));
@@ -10947,11 +10959,11 @@ let _e1674 = global_1.member.member_13.member_1;
 let _e1687 = select(0f, _e1426, (((_e1429 >= 0f) && (_e1429 < _e725)) && (_e1426 > 0f)));
 let _e1690 = ((_e1687 > 0f) && (_e1687 < _e1256));
 if _e487 {
-phi_79235_ = type_25(_e1156, _e1060);
+phi_79236_ = type_26(_e1156, _e1060);
 } else {
-phi_79235_ = type_25(_e1060, _e1156);
+phi_79236_ = type_26(_e1060, _e1156);
 }
-let _e1714 = phi_79235_;
+let _e1714 = phi_79236_;
 let _e1717 = (_e1157 && _e1690);
 let _e1720 = global_1.member.member_18.member;
 let _e1721 = (((select(_e1182, (1f - _e1182), (_e1167 >= 0f)) - select(_e1201, (1f - _e1201), (_e1186 >= 0f))) * (1f / _e1164)) * _e1720);
@@ -10991,34 +11003,34 @@ let _e1838 = global_1.member.member_18.member_3;
 let _e1841 = global_1.member.member_18.member_4;
 let _e1844 = global_1.member.member_18.member_5;
 if _e1017 {
-phi_79434_ = 0u;
+phi_79435_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_79433_ = _e1835;
+phi_79434_ = _e1835;
 } else {
 if (_e800 == 2u) {
-phi_79432_ = _e1838;
+phi_79433_ = _e1838;
 } else {
-phi_79432_ = select(_e1844, _e1841, (_e800 == 3u));
+phi_79433_ = select(_e1844, _e1841, (_e800 == 3u));
 }
-let _e1850 = phi_79432_;
-phi_79433_ = _e1850;
+let _e1850 = phi_79433_;
+phi_79434_ = _e1850;
 }
-let _e1852 = phi_79433_;
-phi_79434_ = _e1852;
+let _e1852 = phi_79434_;
+phi_79435_ = _e1852;
 }
-let _e1854 = phi_79434_;
+let _e1854 = phi_79435_;
 let _e1862 = bitcast<i32>(bitcast<u32>((((bitcast<i32>(_e1854) + (_e1714.member_1 * _e1029)) + _e1714.member) * 6i)));
 if ((_e1755 | _e1762) == 0u) {
 } else {
 let _e1865 = bitcast<u32>(_e1862);
 if (_e1865 < _e304) {
 let _e1869 = atomicAdd((&global_8.member[_e1865]), _e1755);
-phi_79468_ = _e1869;
+phi_79469_ = _e1869;
 } else {
-phi_79468_ = 0u;
+phi_79469_ = 0u;
 }
-let _e1871 = phi_79468_;
+let _e1871 = phi_79469_;
 let _e1875 = (_e1762 + select(0u, 1u, ((_e1871 + _e1755) < _e1755)));
 if (_e1875 == 0u) {
 } else {
@@ -11033,11 +11045,11 @@ if ((_e1789 | _e1796) == 0u) {
 let _e1885 = bitcast<u32>((_e1862 + 2i));
 if (_e1885 < _e304) {
 let _e1889 = atomicAdd((&global_8.member[_e1885]), _e1789);
-phi_79498_ = _e1889;
+phi_79499_ = _e1889;
 } else {
-phi_79498_ = 0u;
+phi_79499_ = 0u;
 }
-let _e1891 = phi_79498_;
+let _e1891 = phi_79499_;
 let _e1895 = (_e1796 + select(0u, 1u, ((_e1891 + _e1789) < _e1789)));
 if (_e1895 == 0u) {
 } else {
@@ -11052,11 +11064,11 @@ if ((_e1823 | _e1830) == 0u) {
 let _e1905 = bitcast<u32>((_e1862 + 4i));
 if (_e1905 < _e304) {
 let _e1909 = atomicAdd((&global_8.member[_e1905]), _e1823);
-phi_79528_ = _e1909;
+phi_79529_ = _e1909;
 } else {
-phi_79528_ = 0u;
+phi_79529_ = 0u;
 }
-let _e1911 = phi_79528_;
+let _e1911 = phi_79529_;
 let _e1915 = (_e1830 + select(0u, 1u, ((_e1911 + _e1823) < _e1823)));
 if (_e1915 == 0u) {
 } else {
@@ -11068,39 +11080,39 @@ let _e1921 = atomicAdd((&global_8.member[_e1917]), _e1915);
 }
 let _e1922 = bitcast<i32>(bitcast<u32>(select(-1i, _e1156, (_e1157 && (!(((_e1690 && !(((((_e1060 * _e1052) == _e332) && (_e879 != _e800)) || ((((_e1060 + 1i) * _e1052) == _e726) && (_e957 != _e800))))) && ((_e1687 * (1f + (0.02f * _e1053))) < _e1277))) && (_e1687 <= _e1266))))));
 if (_e1922 >= 0i) {
-phi_79565_ = type_25(select(_e1151.member, _e1922, (_e1922 < _e1151.member)), select(_e1151.member_1, _e1922, (_e1922 > _e1151.member_1)));
+phi_79566_ = type_26(select(_e1151.member, _e1922, (_e1922 < _e1151.member)), select(_e1151.member_1, _e1922, (_e1922 > _e1151.member_1)));
 } else {
-phi_79565_ = _e1151;
+phi_79566_ = _e1151;
 }
-let _e1932 = phi_79565_;
-phi_77869_ = _e1932;
-phi_77872_ = (_e1153 + 1i);
+let _e1932 = phi_79566_;
+phi_77870_ = _e1932;
+phi_77873_ = (_e1153 + 1i);
 } else {
-phi_77869_ = type_25();
-phi_77872_ = i32();
+phi_77870_ = type_26();
+phi_77873_ = i32();
 }
-let _e1935 = phi_77869_;
-let _e1937 = phi_77872_;
+let _e1935 = phi_77870_;
+let _e1937 = phi_77873_;
 continue;
 continuing {
-phi_77868_ = _e1935;
-phi_77871_ = _e1937;
+phi_77869_ = _e1935;
+phi_77872_ = _e1937;
 break if !(_e1157);
 }
 }
 let _e28277 = local_269;
-phi_77715_ = _e28277;
-phi_77718_ = (_e1049 + 1i);
+phi_77716_ = _e28277;
+phi_77719_ = (_e1049 + 1i);
 } else {
-phi_77715_ = type_25();
-phi_77718_ = i32();
+phi_77716_ = type_26();
+phi_77719_ = i32();
 }
-let _e1941 = phi_77715_;
-let _e1943 = phi_77718_;
+let _e1941 = phi_77716_;
+let _e1943 = phi_77719_;
 continue;
 continuing {
-phi_77714_ = _e1941;
-phi_77717_ = _e1943;
+phi_77715_ = _e1941;
+phi_77718_ = _e1943;
 break if !(_e1050);
 }
 }
@@ -11109,19 +11121,19 @@ let _e1949 = local_260;
 if (_e1946.member <= _e1949.member_1) {
 let _e1954 = ((_e1949.member_1 + 1i) << bitcast<u32>(_e1018));
 if (_e1954 <= _e1016) {
-phi_79582_ = (_e1954 - 1i);
+phi_79583_ = (_e1954 - 1i);
 } else {
-phi_79582_ = _e1016;
+phi_79583_ = _e1016;
 }
-let _e1958 = phi_79582_;
+let _e1958 = phi_79583_;
 let _e1960 = (_e1946.member << bitcast<u32>(_e1018));
 let _e1962 = select(_e879, 0u, (_e879 == _e800));
 let _e1966 = select(_e957, 0u, ((_e957 == _e800) || (_e957 == _e879)));
 let _e1974 = ((select(0u, 1u, (_e800 > 0u)) + select(0u, 1u, (_e1962 > 0u))) + select(0u, 1u, (_e1966 > 0u)));
 if (_e1974 == 0u) {
-phi_79617_ = 0i;
+phi_79618_ = 0i;
 loop {
-let _e6194 = phi_79617_;
+let _e6194 = phi_79618_;
 let _e6195 = (_e6194 < 16i);
 if _e6195 {
 let _e6197 = (_e1011 + (_e6194 & 15i));
@@ -11151,9 +11163,9 @@ let _e6282 = select(_e6274, _e6280, (_e6280 > _e6274));
 let _e6284 = (0.5f * (_e6278 + _e6282));
 let _e6285 = (0.5f / _e6282);
 let _e6286 = (1f / _e6278);
-phi_79771_ = 0i;
+phi_79772_ = 0i;
 loop {
-let _e6288 = phi_79771_;
+let _e6288 = phi_79772_;
 let _e6290 = (((_e6263 - select(0i, 1i, (_e6256 < f32(_e6263)))) + (_e6194 >> bitcast<u32>(4u))) + bitcast<i32>(_e6288));
 let _e6291 = (_e6290 <= select(-1i, (_e6246 - select(0i, 1i, (_e6239 < f32(_e6246)))), (_e6197 <= _e1015)));
 if _e6291 {
@@ -11175,11 +11187,11 @@ let _e6328 = select(_e6282, _e6326, (_e6326 < _e6282));
 let _e6331 = (_e6324 - _e6282);
 let _e6335 = (((_e6328 * (_e6328 * _e6285)) + select(0f, _e6331, (_e6331 > 0f))) * _e6286);
 if _e487 {
-phi_79876_ = type_25(_e6290, _e6197);
+phi_79877_ = type_26(_e6290, _e6197);
 } else {
-phi_79876_ = type_25(_e6197, _e6290);
+phi_79877_ = type_26(_e6197, _e6290);
 }
-let _e6344 = phi_79876_;
+let _e6344 = phi_79877_;
 local_36 = bitcast<i32>((_e962 * _e965));
 local_37 = ((_e6344.member_1 * _e966) + _e6344.member);
 let _e6351 = local_36;
@@ -11250,11 +11262,11 @@ let _e6557 = global_2.member[bitcast<u32>(select(0i, _e6552, (_e6552 > 0i)))];
 let _e6559 = (_e6547 + (_e6543 + 1i));
 let _e6561 = select(_e6550, _e6559, (_e6559 < _e6550));
 let _e6566 = global_2.member[bitcast<u32>(select(0i, _e6561, (_e6561 > 0i)))];
-phi_80303_ = (_e6557 + ((_e6566 - _e6557) * (_e6527 - f32(_e6543))));
+phi_80304_ = (_e6557 + ((_e6566 - _e6557) * (_e6527 - f32(_e6543))));
 } else {
-phi_80303_ = select(((1f - _e6498) / (_e6504 * sqrt(select(0f, _e6504, (_e6504 > 0f))))), (0.75f * (1f + (_e6494 * _e6494))), (_e6516 == 1u));
+phi_80304_ = select(((1f - _e6498) / (_e6504 * sqrt(select(0f, _e6504, (_e6504 > 0f))))), (0.75f * (1f + (_e6494 * _e6494))), (_e6516 == 1u));
 }
-let _e6573 = phi_80303_;
+let _e6573 = phi_80304_;
 let _e6576 = (_e6443 * (_e6573 * (0.25f / 3.1415927f)));
 let _e6577 = (_e6485 - _e6362);
 let _e6580 = (_e6488 + select(0f, _e6577, (_e6577 > 0f)));
@@ -11292,11 +11304,11 @@ let _e6710 = ((_e6688 - (_e6706 * 0.6933594f)) - (_e6706 * -2.1219444e-4f));
 let _e6733 = global_1.member.member_13.member_1;
 let _e6746 = select(0f, _e6485, (((_e6488 >= 0f) && (_e6488 < _e725)) && (_e6485 > 0f)));
 if _e487 {
-phi_80905_ = type_25(_e6290, _e6197);
+phi_80906_ = type_26(_e6290, _e6197);
 } else {
-phi_80905_ = type_25(_e6197, _e6290);
+phi_80906_ = type_26(_e6197, _e6290);
 }
-let _e6757 = phi_80905_;
+let _e6757 = phi_80906_;
 let _e6760 = (_e6291 && (((_e6746 > 0f) && (_e6746 < _e6370)) && true));
 let _e6763 = global_1.member.member_18.member;
 let _e6764 = (((select(_e6316, (1f - _e6316), (_e6301 >= 0f)) - select(_e6335, (1f - _e6335), (_e6320 >= 0f))) * (1f / _e6298)) * _e6763);
@@ -11337,11 +11349,11 @@ if ((_e6798 | _e6805) == 0u) {
 let _e6881 = bitcast<u32>(_e6878);
 if (_e6881 < _e304) {
 let _e6885 = atomicAdd((&global_8.member[_e6881]), _e6798);
-phi_81138_ = _e6885;
+phi_81139_ = _e6885;
 } else {
-phi_81138_ = 0u;
+phi_81139_ = 0u;
 }
-let _e6887 = phi_81138_;
+let _e6887 = phi_81139_;
 let _e6891 = (_e6805 + select(0u, 1u, ((_e6887 + _e6798) < _e6798)));
 if (_e6891 == 0u) {
 } else {
@@ -11356,11 +11368,11 @@ if ((_e6832 | _e6839) == 0u) {
 let _e6901 = bitcast<u32>((_e6878 + 2i));
 if (_e6901 < _e304) {
 let _e6905 = atomicAdd((&global_8.member[_e6901]), _e6832);
-phi_81168_ = _e6905;
+phi_81169_ = _e6905;
 } else {
-phi_81168_ = 0u;
+phi_81169_ = 0u;
 }
-let _e6907 = phi_81168_;
+let _e6907 = phi_81169_;
 let _e6911 = (_e6839 + select(0u, 1u, ((_e6907 + _e6832) < _e6832)));
 if (_e6911 == 0u) {
 } else {
@@ -11375,11 +11387,11 @@ if ((_e6866 | _e6873) == 0u) {
 let _e6921 = bitcast<u32>((_e6878 + 4i));
 if (_e6921 < _e304) {
 let _e6925 = atomicAdd((&global_8.member[_e6921]), _e6866);
-phi_81198_ = _e6925;
+phi_81199_ = _e6925;
 } else {
-phi_81198_ = 0u;
+phi_81199_ = 0u;
 }
-let _e6927 = phi_81198_;
+let _e6927 = phi_81199_;
 let _e6931 = (_e6873 + select(0u, 1u, ((_e6927 + _e6866) < _e6866)));
 if (_e6931 == 0u) {
 } else {
@@ -11389,33 +11401,33 @@ let _e6937 = atomicAdd((&global_8.member[_e6933]), _e6931);
 }
 }
 }
-phi_79772_ = (_e6288 + 1i);
+phi_79773_ = (_e6288 + 1i);
 } else {
-phi_79772_ = i32();
+phi_79773_ = i32();
 }
-let _e6940 = phi_79772_;
+let _e6940 = phi_79773_;
 continue;
 continuing {
-phi_79771_ = _e6940;
+phi_79772_ = _e6940;
 break if !(_e6291);
 }
 }
-phi_79618_ = (_e6194 + 1i);
+phi_79619_ = (_e6194 + 1i);
 } else {
-phi_79618_ = i32();
+phi_79619_ = i32();
 }
-let _e6944 = phi_79618_;
+let _e6944 = phi_79619_;
 continue;
 continuing {
-phi_79617_ = _e6944;
+phi_79618_ = _e6944;
 break if !(_e6195);
 }
 }
 } else {
 if (_e1974 == 1u) {
-phi_81247_ = 0i;
+phi_81248_ = 0i;
 loop {
-let _e4749 = phi_81247_;
+let _e4749 = phi_81248_;
 let _e4750 = (_e4749 < 16i);
 if _e4750 {
 let _e4752 = (_e1011 + (_e4749 & 15i));
@@ -11446,9 +11458,9 @@ let _e4837 = select(_e4829, _e4835, (_e4835 > _e4829));
 let _e4839 = (0.5f * (_e4833 + _e4837));
 let _e4840 = (0.5f / _e4837);
 let _e4841 = (1f / _e4833);
-phi_81401_ = 0i;
+phi_81402_ = 0i;
 loop {
-let _e4843 = phi_81401_;
+let _e4843 = phi_81402_;
 let _e4845 = (((_e4818 - select(0i, 1i, (_e4811 < f32(_e4818)))) + (_e4749 >> bitcast<u32>(4u))) + bitcast<i32>(_e4843));
 let _e4846 = (_e4845 <= select(-1i, (_e4801 - select(0i, 1i, (_e4794 < f32(_e4801)))), (_e4752 <= _e1015)));
 if _e4846 {
@@ -11471,11 +11483,11 @@ let _e4883 = select(_e4837, _e4881, (_e4881 < _e4837));
 let _e4886 = (_e4879 - _e4837);
 let _e4890 = (((_e4883 * (_e4883 * _e4840)) + select(0f, _e4886, (_e4886 > 0f))) * _e4841);
 if _e487 {
-phi_81506_ = type_25(_e4845, _e4752);
+phi_81507_ = type_26(_e4845, _e4752);
 } else {
-phi_81506_ = type_25(_e4752, _e4845);
+phi_81507_ = type_26(_e4752, _e4845);
 }
-let _e4899 = phi_81506_;
+let _e4899 = phi_81507_;
 local_34 = bitcast<i32>((_e962 * _e965));
 local_35 = ((_e4899.member_1 * _e966) + _e4899.member);
 let _e4906 = local_34;
@@ -11548,11 +11560,11 @@ let _e5112 = global_2.member[bitcast<u32>(select(0i, _e5107, (_e5107 > 0i)))];
 let _e5114 = (_e5102 + (_e5098 + 1i));
 let _e5116 = select(_e5105, _e5114, (_e5114 < _e5105));
 let _e5121 = global_2.member[bitcast<u32>(select(0i, _e5116, (_e5116 > 0i)))];
-phi_81933_ = (_e5112 + ((_e5121 - _e5112) * (_e5082 - f32(_e5098))));
+phi_81934_ = (_e5112 + ((_e5121 - _e5112) * (_e5082 - f32(_e5098))));
 } else {
-phi_81933_ = select(((1f - _e5053) / (_e5059 * sqrt(select(0f, _e5059, (_e5059 > 0f))))), (0.75f * (1f + (_e5049 * _e5049))), (_e5071 == 1u));
+phi_81934_ = select(((1f - _e5053) / (_e5059 * sqrt(select(0f, _e5059, (_e5059 > 0f))))), (0.75f * (1f + (_e5049 * _e5049))), (_e5071 == 1u));
 }
-let _e5128 = phi_81933_;
+let _e5128 = phi_81934_;
 let _e5131 = (_e4998 * (_e5128 * (0.25f / 3.1415927f)));
 let _e5132 = (_e5040 - _e4917);
 let _e5135 = (_e5043 + select(0f, _e5132, (_e5132 > 0f)));
@@ -11595,11 +11607,11 @@ let _e5306 = (1u << bitcast<u32>(_e5304));
 let _e5315 = bitcast<i32>((((_e962 + _e5306) - 1u) >> bitcast<u32>(_e5304)));
 let _e5316 = bitcast<i32>((((_e965 + _e5306) - 1u) >> bitcast<u32>(_e5304)));
 if _e487 {
-phi_82561_ = type_25(_e5316, _e5315);
+phi_82562_ = type_26(_e5316, _e5315);
 } else {
-phi_82561_ = type_25(_e5315, _e5316);
+phi_82562_ = type_26(_e5315, _e5316);
 }
-let _e5320 = phi_82561_;
+let _e5320 = phi_82562_;
 let _e5325 = f32((1i << bitcast<u32>(_e5304)));
 let _e5326 = (1f / _e5325);
 let _e5328 = ((_e4754 * _e5326) - 0.5f);
@@ -11619,50 +11631,50 @@ let _e5366 = (1f - _e5364);
 let _e5369 = select(_e5345, 0i, (_e5345 < 0i));
 let _e5370 = (_e5369 >= _e5320.member);
 if _e5370 {
-phi_82639_ = (_e5320.member - 1i);
+phi_82640_ = (_e5320.member - 1i);
 } else {
-phi_82639_ = _e5369;
+phi_82640_ = _e5369;
 }
-let _e5373 = phi_82639_;
+let _e5373 = phi_82640_;
 let _e5375 = select(_e5360, 0i, (_e5360 < 0i));
 let _e5376 = (_e5375 >= _e5320.member_1);
 if _e5376 {
-phi_82650_ = (_e5320.member_1 - 1i);
+phi_82651_ = (_e5320.member_1 - 1i);
 } else {
-phi_82650_ = _e5375;
+phi_82651_ = _e5375;
 }
-let _e5379 = phi_82650_;
+let _e5379 = phi_82651_;
 let _e5383 = (((f32(_e5373) + 0.5f) * _e5325) - 0.5f);
 let _e5387 = (((f32(_e5379) + 0.5f) * _e5325) - 0.5f);
 if _e487 {
-phi_82678_ = type_25(_e5379, _e5373);
+phi_82679_ = type_26(_e5379, _e5373);
 } else {
-phi_82678_ = type_25(_e5373, _e5379);
+phi_82679_ = type_26(_e5373, _e5379);
 }
-let _e5393 = phi_82678_;
+let _e5393 = phi_82679_;
 let _e5399 = bitcast<i32>(((_e962 + 1u) >> bitcast<u32>(1u)));
 let _e5402 = global_1.member.member_18.member_6;
 let _e5405 = global_1.member.member_18.member_7;
 let _e5408 = global_1.member.member_18.member_8;
 let _e5409 = (_e5303 == 0u);
 if _e5409 {
-phi_82729_ = 0u;
+phi_82730_ = 0u;
 } else {
 if (_e5303 == 1u) {
-phi_82728_ = 0u;
+phi_82729_ = 0u;
 } else {
 if (_e5303 == 2u) {
-phi_82727_ = _e5402;
+phi_82728_ = _e5402;
 } else {
-phi_82727_ = select(_e5408, _e5405, (_e5303 == 3u));
+phi_82728_ = select(_e5408, _e5405, (_e5303 == 3u));
 }
-let _e5415 = phi_82727_;
-phi_82728_ = _e5415;
+let _e5415 = phi_82728_;
+phi_82729_ = _e5415;
 }
-let _e5417 = phi_82728_;
-phi_82729_ = _e5417;
+let _e5417 = phi_82729_;
+phi_82730_ = _e5417;
 }
-let _e5419 = phi_82729_;
+let _e5419 = phi_82730_;
 local_32 = (((bitcast<i32>(_e5419) + _e5393.member_1) * _e5399) + _e5393.member);
 let _e5424 = local_32;
 let _e5426 = (bitcast<i32>(_e296) - 1i);
@@ -11700,43 +11712,43 @@ let _e5537 = (_e5345 + 1i);
 let _e5540 = select(_e5537, 0i, (_e5537 < 0i));
 let _e5541 = (_e5540 >= _e5320.member);
 if _e5541 {
-phi_83713_ = (_e5320.member - 1i);
+phi_83714_ = (_e5320.member - 1i);
 } else {
-phi_83713_ = _e5540;
+phi_83714_ = _e5540;
 }
-let _e5544 = phi_83713_;
+let _e5544 = phi_83714_;
 if _e5376 {
-phi_83724_ = (_e5320.member_1 - 1i);
+phi_83725_ = (_e5320.member_1 - 1i);
 } else {
-phi_83724_ = _e5375;
+phi_83725_ = _e5375;
 }
-let _e5547 = phi_83724_;
+let _e5547 = phi_83725_;
 let _e5551 = (((f32(_e5544) + 0.5f) * _e5325) - 0.5f);
 let _e5555 = (((f32(_e5547) + 0.5f) * _e5325) - 0.5f);
 if _e487 {
-phi_83752_ = type_25(_e5547, _e5544);
+phi_83753_ = type_26(_e5547, _e5544);
 } else {
-phi_83752_ = type_25(_e5544, _e5547);
+phi_83753_ = type_26(_e5544, _e5547);
 }
-let _e5561 = phi_83752_;
+let _e5561 = phi_83753_;
 if _e5409 {
-phi_83803_ = 0u;
+phi_83804_ = 0u;
 } else {
 if (_e5303 == 1u) {
-phi_83802_ = 0u;
+phi_83803_ = 0u;
 } else {
 if (_e5303 == 2u) {
-phi_83801_ = _e5402;
+phi_83802_ = _e5402;
 } else {
-phi_83801_ = select(_e5408, _e5405, (_e5303 == 3u));
+phi_83802_ = select(_e5408, _e5405, (_e5303 == 3u));
 }
-let _e5569 = phi_83801_;
-phi_83802_ = _e5569;
+let _e5569 = phi_83802_;
+phi_83803_ = _e5569;
 }
-let _e5571 = phi_83802_;
-phi_83803_ = _e5571;
+let _e5571 = phi_83803_;
+phi_83804_ = _e5571;
 }
-let _e5573 = phi_83803_;
+let _e5573 = phi_83804_;
 local_30 = (((bitcast<i32>(_e5573) + _e5561.member_1) * _e5399) + _e5561.member);
 let _e5578 = local_30;
 let _e5580 = select(_e5426, _e5578, (_e5578 < _e5426));
@@ -11771,45 +11783,45 @@ let _e5675 = select(0f, _e5666, (((_e5669 >= 0f) && (_e5669 < _e725)) && (_e5666
 let _e5677 = (_e5544 << bitcast<u32>(_e5304));
 let _e5689 = (_e5360 + 1i);
 if _e5370 {
-phi_84787_ = (_e5320.member - 1i);
+phi_84788_ = (_e5320.member - 1i);
 } else {
-phi_84787_ = _e5369;
+phi_84788_ = _e5369;
 }
-let _e5693 = phi_84787_;
+let _e5693 = phi_84788_;
 let _e5695 = select(_e5689, 0i, (_e5689 < 0i));
 let _e5696 = (_e5695 >= _e5320.member_1);
 if _e5696 {
-phi_84798_ = (_e5320.member_1 - 1i);
+phi_84799_ = (_e5320.member_1 - 1i);
 } else {
-phi_84798_ = _e5695;
+phi_84799_ = _e5695;
 }
-let _e5699 = phi_84798_;
+let _e5699 = phi_84799_;
 let _e5703 = (((f32(_e5693) + 0.5f) * _e5325) - 0.5f);
 let _e5707 = (((f32(_e5699) + 0.5f) * _e5325) - 0.5f);
 if _e487 {
-phi_84826_ = type_25(_e5699, _e5693);
+phi_84827_ = type_26(_e5699, _e5693);
 } else {
-phi_84826_ = type_25(_e5693, _e5699);
+phi_84827_ = type_26(_e5693, _e5699);
 }
-let _e5713 = phi_84826_;
+let _e5713 = phi_84827_;
 if _e5409 {
-phi_84877_ = 0u;
+phi_84878_ = 0u;
 } else {
 if (_e5303 == 1u) {
-phi_84876_ = 0u;
+phi_84877_ = 0u;
 } else {
 if (_e5303 == 2u) {
-phi_84875_ = _e5402;
+phi_84876_ = _e5402;
 } else {
-phi_84875_ = select(_e5408, _e5405, (_e5303 == 3u));
+phi_84876_ = select(_e5408, _e5405, (_e5303 == 3u));
 }
-let _e5721 = phi_84875_;
-phi_84876_ = _e5721;
+let _e5721 = phi_84876_;
+phi_84877_ = _e5721;
 }
-let _e5723 = phi_84876_;
-phi_84877_ = _e5723;
+let _e5723 = phi_84877_;
+phi_84878_ = _e5723;
 }
-let _e5725 = phi_84877_;
+let _e5725 = phi_84878_;
 local_28 = (((bitcast<i32>(_e5725) + _e5713.member_1) * _e5399) + _e5713.member);
 let _e5730 = local_28;
 let _e5732 = select(_e5426, _e5730, (_e5730 < _e5426));
@@ -11843,43 +11855,43 @@ let _e5821 = (((_e5798 * _e5788) - _e5793) * _e5815);
 let _e5827 = select(0f, _e5818, (((_e5821 >= 0f) && (_e5821 < _e725)) && (_e5818 > 0f)));
 let _e5829 = (_e5693 << bitcast<u32>(_e5304));
 if _e5541 {
-phi_85861_ = (_e5320.member - 1i);
+phi_85862_ = (_e5320.member - 1i);
 } else {
-phi_85861_ = _e5540;
+phi_85862_ = _e5540;
 }
-let _e5844 = phi_85861_;
+let _e5844 = phi_85862_;
 if _e5696 {
-phi_85872_ = (_e5320.member_1 - 1i);
+phi_85873_ = (_e5320.member_1 - 1i);
 } else {
-phi_85872_ = _e5695;
+phi_85873_ = _e5695;
 }
-let _e5847 = phi_85872_;
+let _e5847 = phi_85873_;
 let _e5851 = (((f32(_e5844) + 0.5f) * _e5325) - 0.5f);
 let _e5855 = (((f32(_e5847) + 0.5f) * _e5325) - 0.5f);
 if _e487 {
-phi_85900_ = type_25(_e5847, _e5844);
+phi_85901_ = type_26(_e5847, _e5844);
 } else {
-phi_85900_ = type_25(_e5844, _e5847);
+phi_85901_ = type_26(_e5844, _e5847);
 }
-let _e5861 = phi_85900_;
+let _e5861 = phi_85901_;
 if _e5409 {
-phi_85951_ = 0u;
+phi_85952_ = 0u;
 } else {
 if (_e5303 == 1u) {
-phi_85950_ = 0u;
+phi_85951_ = 0u;
 } else {
 if (_e5303 == 2u) {
-phi_85949_ = _e5402;
+phi_85950_ = _e5402;
 } else {
-phi_85949_ = select(_e5408, _e5405, (_e5303 == 3u));
+phi_85950_ = select(_e5408, _e5405, (_e5303 == 3u));
 }
-let _e5869 = phi_85949_;
-phi_85950_ = _e5869;
+let _e5869 = phi_85950_;
+phi_85951_ = _e5869;
 }
-let _e5871 = phi_85950_;
-phi_85951_ = _e5871;
+let _e5871 = phi_85951_;
+phi_85952_ = _e5871;
 }
-let _e5873 = phi_85951_;
+let _e5873 = phi_85952_;
 local_26 = (((bitcast<i32>(_e5873) + _e5861.member_1) * _e5399) + _e5861.member);
 let _e5878 = local_26;
 let _e5880 = select(_e5426, _e5878, (_e5878 < _e5426));
@@ -11914,11 +11926,11 @@ let _e5975 = select(0f, _e5966, (((_e5969 >= 0f) && (_e5969 < _e725)) && (_e5966
 let _e5977 = (_e5844 << bitcast<u32>(_e5304));
 let _e5989 = select(((((1f - select(0f, (_e5365 * _e5366), (((select(select(_e800, _e957, (_e5525 >= _e726)), _e879, (_e5525 < _e332)) == _e5303) && (_e5523 > 0f)) && (_e5523 < _e5433)))) - select(0f, (_e5362 * _e5366), (((select(select(_e800, _e957, (_e5677 >= _e726)), _e879, (_e5677 < _e332)) == _e5303) && (_e5675 > 0f)) && (_e5675 < _e5585)))) - select(0f, (_e5365 * _e5364), (((select(select(_e800, _e957, (_e5829 >= _e726)), _e879, (_e5829 < _e332)) == _e5303) && (_e5827 > 0f)) && (_e5827 < _e5737)))) - select(0f, (_e5362 * _e5364), (((select(select(_e800, _e957, (_e5977 >= _e726)), _e879, (_e5977 < _e332)) == _e5303) && (_e5975 > 0f)) && (_e5975 < _e5885)))), 1f, _e5409);
 if _e487 {
-phi_86944_ = type_25(_e4845, _e4752);
+phi_86945_ = type_26(_e4845, _e4752);
 } else {
-phi_86944_ = type_25(_e4752, _e4845);
+phi_86945_ = type_26(_e4752, _e4845);
 }
-let _e6004 = phi_86944_;
+let _e6004 = phi_86945_;
 let _e6007 = (_e4846 && (((_e5301 > 0f) && (_e5301 < _e4925)) && (bitcast<f32>((bitcast<u32>(_e5989) & 2147483647u)) > 1e-6f)));
 let _e6010 = global_1.member.member_18.member;
 let _e6011 = (((select(_e4871, (1f - _e4871), (_e4856 >= 0f)) - select(_e4890, (1f - _e4890), (_e4875 >= 0f))) * (1f / _e4853)) * _e6010);
@@ -11959,11 +11971,11 @@ if ((_e6045 | _e6052) == 0u) {
 let _e6128 = bitcast<u32>(_e6125);
 if (_e6128 < _e304) {
 let _e6132 = atomicAdd((&global_8.member[_e6128]), _e6045);
-phi_87177_ = _e6132;
+phi_87178_ = _e6132;
 } else {
-phi_87177_ = 0u;
+phi_87178_ = 0u;
 }
-let _e6134 = phi_87177_;
+let _e6134 = phi_87178_;
 let _e6138 = (_e6052 + select(0u, 1u, ((_e6134 + _e6045) < _e6045)));
 if (_e6138 == 0u) {
 } else {
@@ -11978,11 +11990,11 @@ if ((_e6079 | _e6086) == 0u) {
 let _e6148 = bitcast<u32>((_e6125 + 2i));
 if (_e6148 < _e304) {
 let _e6152 = atomicAdd((&global_8.member[_e6148]), _e6079);
-phi_87207_ = _e6152;
+phi_87208_ = _e6152;
 } else {
-phi_87207_ = 0u;
+phi_87208_ = 0u;
 }
-let _e6154 = phi_87207_;
+let _e6154 = phi_87208_;
 let _e6158 = (_e6086 + select(0u, 1u, ((_e6154 + _e6079) < _e6079)));
 if (_e6158 == 0u) {
 } else {
@@ -11997,11 +12009,11 @@ if ((_e6113 | _e6120) == 0u) {
 let _e6168 = bitcast<u32>((_e6125 + 4i));
 if (_e6168 < _e304) {
 let _e6172 = atomicAdd((&global_8.member[_e6168]), _e6113);
-phi_87237_ = _e6172;
+phi_87238_ = _e6172;
 } else {
-phi_87237_ = 0u;
+phi_87238_ = 0u;
 }
-let _e6174 = phi_87237_;
+let _e6174 = phi_87238_;
 let _e6178 = (_e6120 + select(0u, 1u, ((_e6174 + _e6113) < _e6113)));
 if (_e6178 == 0u) {
 } else {
@@ -12011,32 +12023,32 @@ let _e6184 = atomicAdd((&global_8.member[_e6180]), _e6178);
 }
 }
 }
-phi_81402_ = (_e4843 + 1i);
+phi_81403_ = (_e4843 + 1i);
 } else {
-phi_81402_ = i32();
+phi_81403_ = i32();
 }
-let _e6187 = phi_81402_;
+let _e6187 = phi_81403_;
 continue;
 continuing {
-phi_81401_ = _e6187;
+phi_81402_ = _e6187;
 break if !(_e4846);
 }
 }
-phi_81248_ = (_e4749 + 1i);
+phi_81249_ = (_e4749 + 1i);
 } else {
-phi_81248_ = i32();
+phi_81249_ = i32();
 }
-let _e6191 = phi_81248_;
+let _e6191 = phi_81249_;
 continue;
 continuing {
-phi_81247_ = _e6191;
+phi_81248_ = _e6191;
 break if !(_e4750);
 }
 }
 } else {
-phi_87282_ = 0i;
+phi_87283_ = 0i;
 loop {
-let _e1978 = phi_87282_;
+let _e1978 = phi_87283_;
 let _e1979 = (_e1978 < 16i);
 if _e1979 {
 let _e1981 = (_e1011 + (_e1978 & 15i));
@@ -12067,9 +12079,9 @@ let _e2066 = select(_e2058, _e2064, (_e2064 > _e2058));
 let _e2068 = (0.5f * (_e2062 + _e2066));
 let _e2069 = (0.5f / _e2066);
 let _e2070 = (1f / _e2062);
-phi_87436_ = 0i;
+phi_87437_ = 0i;
 loop {
-let _e2072 = phi_87436_;
+let _e2072 = phi_87437_;
 let _e2074 = (((_e2047 - select(0i, 1i, (_e2040 < f32(_e2047)))) + (_e1978 >> bitcast<u32>(4u))) + bitcast<i32>(_e2072));
 let _e2075 = (_e2074 <= select(-1i, (_e2030 - select(0i, 1i, (_e2023 < f32(_e2030)))), (_e1981 <= _e1015)));
 if _e2075 {
@@ -12092,11 +12104,11 @@ let _e2112 = select(_e2066, _e2110, (_e2110 < _e2066));
 let _e2115 = (_e2108 - _e2066);
 let _e2119 = (((_e2112 * (_e2112 * _e2069)) + select(0f, _e2115, (_e2115 > 0f))) * _e2070);
 if _e487 {
-phi_87541_ = type_25(_e2074, _e1981);
+phi_87542_ = type_26(_e2074, _e1981);
 } else {
-phi_87541_ = type_25(_e1981, _e2074);
+phi_87542_ = type_26(_e1981, _e2074);
 }
-let _e2128 = phi_87541_;
+let _e2128 = phi_87542_;
 local_24 = bitcast<i32>((_e962 * _e965));
 local_25 = ((_e2128.member_1 * _e966) + _e2128.member);
 let _e2135 = local_24;
@@ -12169,11 +12181,11 @@ let _e2341 = global_2.member[bitcast<u32>(select(0i, _e2336, (_e2336 > 0i)))];
 let _e2343 = (_e2331 + (_e2327 + 1i));
 let _e2345 = select(_e2334, _e2343, (_e2343 < _e2334));
 let _e2350 = global_2.member[bitcast<u32>(select(0i, _e2345, (_e2345 > 0i)))];
-phi_87968_ = (_e2341 + ((_e2350 - _e2341) * (_e2311 - f32(_e2327))));
+phi_87969_ = (_e2341 + ((_e2350 - _e2341) * (_e2311 - f32(_e2327))));
 } else {
-phi_87968_ = select(((1f - _e2282) / (_e2288 * sqrt(select(0f, _e2288, (_e2288 > 0f))))), (0.75f * (1f + (_e2278 * _e2278))), (_e2300 == 1u));
+phi_87969_ = select(((1f - _e2282) / (_e2288 * sqrt(select(0f, _e2288, (_e2288 > 0f))))), (0.75f * (1f + (_e2278 * _e2278))), (_e2300 == 1u));
 }
-let _e2357 = phi_87968_;
+let _e2357 = phi_87969_;
 let _e2360 = (_e2227 * (_e2357 * (0.25f / 3.1415927f)));
 let _e2361 = (_e2269 - _e2146);
 let _e2364 = (_e2272 + select(0f, _e2361, (_e2361 > 0f)));
@@ -12211,11 +12223,11 @@ let _e2494 = ((_e2472 - (_e2490 * 0.6933594f)) - (_e2490 * -2.1219444e-4f));
 let _e2517 = global_1.member.member_13.member_1;
 let _e2530 = select(0f, _e2269, (((_e2272 >= 0f) && (_e2272 < _e725)) && (_e2269 > 0f)));
 if _e487 {
-phi_88594_ = type_25(_e1030, _e1029);
+phi_88595_ = type_26(_e1030, _e1029);
 } else {
-phi_88594_ = type_25(_e1029, _e1030);
+phi_88595_ = type_26(_e1029, _e1030);
 }
-let _e2534 = phi_88594_;
+let _e2534 = phi_88595_;
 let _e2539 = f32((1i << bitcast<u32>(_e1018)));
 let _e2540 = (1f / _e2539);
 let _e2542 = ((_e1983 * _e2540) - 0.5f);
@@ -12235,49 +12247,49 @@ let _e2580 = (1f - _e2578);
 let _e2583 = select(_e2559, 0i, (_e2559 < 0i));
 let _e2584 = (_e2583 >= _e2534.member);
 if _e2584 {
-phi_88672_ = (_e2534.member - 1i);
+phi_88673_ = (_e2534.member - 1i);
 } else {
-phi_88672_ = _e2583;
+phi_88673_ = _e2583;
 }
-let _e2587 = phi_88672_;
+let _e2587 = phi_88673_;
 let _e2589 = select(_e2574, 0i, (_e2574 < 0i));
 let _e2590 = (_e2589 >= _e2534.member_1);
 if _e2590 {
-phi_88683_ = (_e2534.member_1 - 1i);
+phi_88684_ = (_e2534.member_1 - 1i);
 } else {
-phi_88683_ = _e2589;
+phi_88684_ = _e2589;
 }
-let _e2593 = phi_88683_;
+let _e2593 = phi_88684_;
 let _e2597 = (((f32(_e2587) + 0.5f) * _e2539) - 0.5f);
 let _e2601 = (((f32(_e2593) + 0.5f) * _e2539) - 0.5f);
 if _e487 {
-phi_88711_ = type_25(_e2593, _e2587);
+phi_88712_ = type_26(_e2593, _e2587);
 } else {
-phi_88711_ = type_25(_e2587, _e2593);
+phi_88712_ = type_26(_e2587, _e2593);
 }
-let _e2607 = phi_88711_;
+let _e2607 = phi_88712_;
 let _e2613 = bitcast<i32>(((_e962 + 1u) >> bitcast<u32>(1u)));
 let _e2616 = global_1.member.member_18.member_6;
 let _e2619 = global_1.member.member_18.member_7;
 let _e2622 = global_1.member.member_18.member_8;
 if _e1017 {
-phi_88762_ = 0u;
+phi_88763_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_88761_ = 0u;
+phi_88762_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_88760_ = _e2616;
+phi_88761_ = _e2616;
 } else {
-phi_88760_ = select(_e2622, _e2619, (_e800 == 3u));
+phi_88761_ = select(_e2622, _e2619, (_e800 == 3u));
 }
-let _e2628 = phi_88760_;
-phi_88761_ = _e2628;
+let _e2628 = phi_88761_;
+phi_88762_ = _e2628;
 }
-let _e2630 = phi_88761_;
-phi_88762_ = _e2630;
+let _e2630 = phi_88762_;
+phi_88763_ = _e2630;
 }
-let _e2632 = phi_88762_;
+let _e2632 = phi_88763_;
 local_22 = (((bitcast<i32>(_e2632) + _e2607.member_1) * _e2613) + _e2607.member);
 let _e2637 = local_22;
 let _e2639 = (bitcast<i32>(_e296) - 1i);
@@ -12315,43 +12327,43 @@ let _e2750 = (_e2559 + 1i);
 let _e2753 = select(_e2750, 0i, (_e2750 < 0i));
 let _e2754 = (_e2753 >= _e2534.member);
 if _e2754 {
-phi_89746_ = (_e2534.member - 1i);
+phi_89747_ = (_e2534.member - 1i);
 } else {
-phi_89746_ = _e2753;
+phi_89747_ = _e2753;
 }
-let _e2757 = phi_89746_;
+let _e2757 = phi_89747_;
 if _e2590 {
-phi_89757_ = (_e2534.member_1 - 1i);
+phi_89758_ = (_e2534.member_1 - 1i);
 } else {
-phi_89757_ = _e2589;
+phi_89758_ = _e2589;
 }
-let _e2760 = phi_89757_;
+let _e2760 = phi_89758_;
 let _e2764 = (((f32(_e2757) + 0.5f) * _e2539) - 0.5f);
 let _e2768 = (((f32(_e2760) + 0.5f) * _e2539) - 0.5f);
 if _e487 {
-phi_89785_ = type_25(_e2760, _e2757);
+phi_89786_ = type_26(_e2760, _e2757);
 } else {
-phi_89785_ = type_25(_e2757, _e2760);
+phi_89786_ = type_26(_e2757, _e2760);
 }
-let _e2774 = phi_89785_;
+let _e2774 = phi_89786_;
 if _e1017 {
-phi_89836_ = 0u;
+phi_89837_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_89835_ = 0u;
+phi_89836_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_89834_ = _e2616;
+phi_89835_ = _e2616;
 } else {
-phi_89834_ = select(_e2622, _e2619, (_e800 == 3u));
+phi_89835_ = select(_e2622, _e2619, (_e800 == 3u));
 }
-let _e2782 = phi_89834_;
-phi_89835_ = _e2782;
+let _e2782 = phi_89835_;
+phi_89836_ = _e2782;
 }
-let _e2784 = phi_89835_;
-phi_89836_ = _e2784;
+let _e2784 = phi_89836_;
+phi_89837_ = _e2784;
 }
-let _e2786 = phi_89836_;
+let _e2786 = phi_89837_;
 local_20 = (((bitcast<i32>(_e2786) + _e2774.member_1) * _e2613) + _e2774.member);
 let _e2791 = local_20;
 let _e2793 = select(_e2639, _e2791, (_e2791 < _e2639));
@@ -12386,45 +12398,45 @@ let _e2888 = select(0f, _e2879, (((_e2882 >= 0f) && (_e2882 < _e725)) && (_e2879
 let _e2890 = (_e2757 << bitcast<u32>(_e1018));
 let _e2902 = (_e2574 + 1i);
 if _e2584 {
-phi_90820_ = (_e2534.member - 1i);
+phi_90821_ = (_e2534.member - 1i);
 } else {
-phi_90820_ = _e2583;
+phi_90821_ = _e2583;
 }
-let _e2906 = phi_90820_;
+let _e2906 = phi_90821_;
 let _e2908 = select(_e2902, 0i, (_e2902 < 0i));
 let _e2909 = (_e2908 >= _e2534.member_1);
 if _e2909 {
-phi_90831_ = (_e2534.member_1 - 1i);
+phi_90832_ = (_e2534.member_1 - 1i);
 } else {
-phi_90831_ = _e2908;
+phi_90832_ = _e2908;
 }
-let _e2912 = phi_90831_;
+let _e2912 = phi_90832_;
 let _e2916 = (((f32(_e2906) + 0.5f) * _e2539) - 0.5f);
 let _e2920 = (((f32(_e2912) + 0.5f) * _e2539) - 0.5f);
 if _e487 {
-phi_90859_ = type_25(_e2912, _e2906);
+phi_90860_ = type_26(_e2912, _e2906);
 } else {
-phi_90859_ = type_25(_e2906, _e2912);
+phi_90860_ = type_26(_e2906, _e2912);
 }
-let _e2926 = phi_90859_;
+let _e2926 = phi_90860_;
 if _e1017 {
-phi_90910_ = 0u;
+phi_90911_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_90909_ = 0u;
+phi_90910_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_90908_ = _e2616;
+phi_90909_ = _e2616;
 } else {
-phi_90908_ = select(_e2622, _e2619, (_e800 == 3u));
+phi_90909_ = select(_e2622, _e2619, (_e800 == 3u));
 }
-let _e2934 = phi_90908_;
-phi_90909_ = _e2934;
+let _e2934 = phi_90909_;
+phi_90910_ = _e2934;
 }
-let _e2936 = phi_90909_;
-phi_90910_ = _e2936;
+let _e2936 = phi_90910_;
+phi_90911_ = _e2936;
 }
-let _e2938 = phi_90910_;
+let _e2938 = phi_90911_;
 local_18 = (((bitcast<i32>(_e2938) + _e2926.member_1) * _e2613) + _e2926.member);
 let _e2943 = local_18;
 let _e2945 = select(_e2639, _e2943, (_e2943 < _e2639));
@@ -12458,43 +12470,43 @@ let _e3034 = (((_e3011 * _e3001) - _e3006) * _e3028);
 let _e3040 = select(0f, _e3031, (((_e3034 >= 0f) && (_e3034 < _e725)) && (_e3031 > 0f)));
 let _e3042 = (_e2906 << bitcast<u32>(_e1018));
 if _e2754 {
-phi_91894_ = (_e2534.member - 1i);
+phi_91895_ = (_e2534.member - 1i);
 } else {
-phi_91894_ = _e2753;
+phi_91895_ = _e2753;
 }
-let _e3057 = phi_91894_;
+let _e3057 = phi_91895_;
 if _e2909 {
-phi_91905_ = (_e2534.member_1 - 1i);
+phi_91906_ = (_e2534.member_1 - 1i);
 } else {
-phi_91905_ = _e2908;
+phi_91906_ = _e2908;
 }
-let _e3060 = phi_91905_;
+let _e3060 = phi_91906_;
 let _e3064 = (((f32(_e3057) + 0.5f) * _e2539) - 0.5f);
 let _e3068 = (((f32(_e3060) + 0.5f) * _e2539) - 0.5f);
 if _e487 {
-phi_91933_ = type_25(_e3060, _e3057);
+phi_91934_ = type_26(_e3060, _e3057);
 } else {
-phi_91933_ = type_25(_e3057, _e3060);
+phi_91934_ = type_26(_e3057, _e3060);
 }
-let _e3074 = phi_91933_;
+let _e3074 = phi_91934_;
 if _e1017 {
-phi_91984_ = 0u;
+phi_91985_ = 0u;
 } else {
 if (_e800 == 1u) {
-phi_91983_ = 0u;
+phi_91984_ = 0u;
 } else {
 if (_e800 == 2u) {
-phi_91982_ = _e2616;
+phi_91983_ = _e2616;
 } else {
-phi_91982_ = select(_e2622, _e2619, (_e800 == 3u));
+phi_91983_ = select(_e2622, _e2619, (_e800 == 3u));
 }
-let _e3082 = phi_91982_;
-phi_91983_ = _e3082;
+let _e3082 = phi_91983_;
+phi_91984_ = _e3082;
 }
-let _e3084 = phi_91983_;
-phi_91984_ = _e3084;
+let _e3084 = phi_91984_;
+phi_91985_ = _e3084;
 }
-let _e3086 = phi_91984_;
+let _e3086 = phi_91985_;
 local_16 = (((bitcast<i32>(_e3086) + _e3074.member_1) * _e2613) + _e3074.member);
 let _e3091 = local_16;
 let _e3093 = select(_e2639, _e3091, (_e3091 < _e2639));
@@ -12533,11 +12545,11 @@ let _e3205 = (1u << bitcast<u32>(_e3203));
 let _e3214 = bitcast<i32>((((_e962 + _e3205) - 1u) >> bitcast<u32>(_e3203)));
 let _e3215 = bitcast<i32>((((_e965 + _e3205) - 1u) >> bitcast<u32>(_e3203)));
 if _e487 {
-phi_92986_ = type_25(_e3215, _e3214);
+phi_92987_ = type_26(_e3215, _e3214);
 } else {
-phi_92986_ = type_25(_e3214, _e3215);
+phi_92987_ = type_26(_e3214, _e3215);
 }
-let _e3219 = phi_92986_;
+let _e3219 = phi_92987_;
 let _e3224 = f32((1i << bitcast<u32>(_e3203)));
 let _e3225 = (1f / _e3224);
 let _e3227 = ((_e1983 * _e3225) - 0.5f);
@@ -12557,46 +12569,46 @@ let _e3265 = (1f - _e3263);
 let _e3268 = select(_e3244, 0i, (_e3244 < 0i));
 let _e3269 = (_e3268 >= _e3219.member);
 if _e3269 {
-phi_93064_ = (_e3219.member - 1i);
+phi_93065_ = (_e3219.member - 1i);
 } else {
-phi_93064_ = _e3268;
+phi_93065_ = _e3268;
 }
-let _e3272 = phi_93064_;
+let _e3272 = phi_93065_;
 let _e3274 = select(_e3259, 0i, (_e3259 < 0i));
 let _e3275 = (_e3274 >= _e3219.member_1);
 if _e3275 {
-phi_93075_ = (_e3219.member_1 - 1i);
+phi_93076_ = (_e3219.member_1 - 1i);
 } else {
-phi_93075_ = _e3274;
+phi_93076_ = _e3274;
 }
-let _e3278 = phi_93075_;
+let _e3278 = phi_93076_;
 let _e3282 = (((f32(_e3272) + 0.5f) * _e3224) - 0.5f);
 let _e3286 = (((f32(_e3278) + 0.5f) * _e3224) - 0.5f);
 if _e487 {
-phi_93103_ = type_25(_e3278, _e3272);
+phi_93104_ = type_26(_e3278, _e3272);
 } else {
-phi_93103_ = type_25(_e3272, _e3278);
+phi_93104_ = type_26(_e3272, _e3278);
 }
-let _e3292 = phi_93103_;
+let _e3292 = phi_93104_;
 let _e3295 = (_e1962 == 0u);
 if _e3295 {
-phi_93154_ = 0u;
+phi_93155_ = 0u;
 } else {
 if (_e1962 == 1u) {
-phi_93153_ = 0u;
+phi_93154_ = 0u;
 } else {
 if (_e1962 == 2u) {
-phi_93152_ = _e2616;
+phi_93153_ = _e2616;
 } else {
-phi_93152_ = select(_e2622, _e2619, (_e1962 == 3u));
+phi_93153_ = select(_e2622, _e2619, (_e1962 == 3u));
 }
-let _e3301 = phi_93152_;
-phi_93153_ = _e3301;
+let _e3301 = phi_93153_;
+phi_93154_ = _e3301;
 }
-let _e3303 = phi_93153_;
-phi_93154_ = _e3303;
+let _e3303 = phi_93154_;
+phi_93155_ = _e3303;
 }
-let _e3305 = phi_93154_;
+let _e3305 = phi_93155_;
 local_14 = (((bitcast<i32>(_e3305) + _e3292.member_1) * _e2613) + _e3292.member);
 let _e3310 = local_14;
 let _e3312 = select(_e2639, _e3310, (_e3310 < _e2639));
@@ -12633,43 +12645,43 @@ let _e3421 = (_e3244 + 1i);
 let _e3424 = select(_e3421, 0i, (_e3421 < 0i));
 let _e3425 = (_e3424 >= _e3219.member);
 if _e3425 {
-phi_94138_ = (_e3219.member - 1i);
+phi_94139_ = (_e3219.member - 1i);
 } else {
-phi_94138_ = _e3424;
+phi_94139_ = _e3424;
 }
-let _e3428 = phi_94138_;
+let _e3428 = phi_94139_;
 if _e3275 {
-phi_94149_ = (_e3219.member_1 - 1i);
+phi_94150_ = (_e3219.member_1 - 1i);
 } else {
-phi_94149_ = _e3274;
+phi_94150_ = _e3274;
 }
-let _e3431 = phi_94149_;
+let _e3431 = phi_94150_;
 let _e3435 = (((f32(_e3428) + 0.5f) * _e3224) - 0.5f);
 let _e3439 = (((f32(_e3431) + 0.5f) * _e3224) - 0.5f);
 if _e487 {
-phi_94177_ = type_25(_e3431, _e3428);
+phi_94178_ = type_26(_e3431, _e3428);
 } else {
-phi_94177_ = type_25(_e3428, _e3431);
+phi_94178_ = type_26(_e3428, _e3431);
 }
-let _e3445 = phi_94177_;
+let _e3445 = phi_94178_;
 if _e3295 {
-phi_94228_ = 0u;
+phi_94229_ = 0u;
 } else {
 if (_e1962 == 1u) {
-phi_94227_ = 0u;
+phi_94228_ = 0u;
 } else {
 if (_e1962 == 2u) {
-phi_94226_ = _e2616;
+phi_94227_ = _e2616;
 } else {
-phi_94226_ = select(_e2622, _e2619, (_e1962 == 3u));
+phi_94227_ = select(_e2622, _e2619, (_e1962 == 3u));
 }
-let _e3453 = phi_94226_;
-phi_94227_ = _e3453;
+let _e3453 = phi_94227_;
+phi_94228_ = _e3453;
 }
-let _e3455 = phi_94227_;
-phi_94228_ = _e3455;
+let _e3455 = phi_94228_;
+phi_94229_ = _e3455;
 }
-let _e3457 = phi_94228_;
+let _e3457 = phi_94229_;
 local_12 = (((bitcast<i32>(_e3457) + _e3445.member_1) * _e2613) + _e3445.member);
 let _e3462 = local_12;
 let _e3464 = select(_e2639, _e3462, (_e3462 < _e2639));
@@ -12704,45 +12716,45 @@ let _e3559 = select(0f, _e3550, (((_e3553 >= 0f) && (_e3553 < _e725)) && (_e3550
 let _e3561 = (_e3428 << bitcast<u32>(_e3203));
 let _e3573 = (_e3259 + 1i);
 if _e3269 {
-phi_95212_ = (_e3219.member - 1i);
+phi_95213_ = (_e3219.member - 1i);
 } else {
-phi_95212_ = _e3268;
+phi_95213_ = _e3268;
 }
-let _e3577 = phi_95212_;
+let _e3577 = phi_95213_;
 let _e3579 = select(_e3573, 0i, (_e3573 < 0i));
 let _e3580 = (_e3579 >= _e3219.member_1);
 if _e3580 {
-phi_95223_ = (_e3219.member_1 - 1i);
+phi_95224_ = (_e3219.member_1 - 1i);
 } else {
-phi_95223_ = _e3579;
+phi_95224_ = _e3579;
 }
-let _e3583 = phi_95223_;
+let _e3583 = phi_95224_;
 let _e3587 = (((f32(_e3577) + 0.5f) * _e3224) - 0.5f);
 let _e3591 = (((f32(_e3583) + 0.5f) * _e3224) - 0.5f);
 if _e487 {
-phi_95251_ = type_25(_e3583, _e3577);
+phi_95252_ = type_26(_e3583, _e3577);
 } else {
-phi_95251_ = type_25(_e3577, _e3583);
+phi_95252_ = type_26(_e3577, _e3583);
 }
-let _e3597 = phi_95251_;
+let _e3597 = phi_95252_;
 if _e3295 {
-phi_95302_ = 0u;
+phi_95303_ = 0u;
 } else {
 if (_e1962 == 1u) {
-phi_95301_ = 0u;
+phi_95302_ = 0u;
 } else {
 if (_e1962 == 2u) {
-phi_95300_ = _e2616;
+phi_95301_ = _e2616;
 } else {
-phi_95300_ = select(_e2622, _e2619, (_e1962 == 3u));
+phi_95301_ = select(_e2622, _e2619, (_e1962 == 3u));
 }
-let _e3605 = phi_95300_;
-phi_95301_ = _e3605;
+let _e3605 = phi_95301_;
+phi_95302_ = _e3605;
 }
-let _e3607 = phi_95301_;
-phi_95302_ = _e3607;
+let _e3607 = phi_95302_;
+phi_95303_ = _e3607;
 }
-let _e3609 = phi_95302_;
+let _e3609 = phi_95303_;
 local_10 = (((bitcast<i32>(_e3609) + _e3597.member_1) * _e2613) + _e3597.member);
 let _e3614 = local_10;
 let _e3616 = select(_e2639, _e3614, (_e3614 < _e2639));
@@ -12776,43 +12788,43 @@ let _e3705 = (((_e3682 * _e3672) - _e3677) * _e3699);
 let _e3711 = select(0f, _e3702, (((_e3705 >= 0f) && (_e3705 < _e725)) && (_e3702 > 0f)));
 let _e3713 = (_e3577 << bitcast<u32>(_e3203));
 if _e3425 {
-phi_96286_ = (_e3219.member - 1i);
+phi_96287_ = (_e3219.member - 1i);
 } else {
-phi_96286_ = _e3424;
+phi_96287_ = _e3424;
 }
-let _e3728 = phi_96286_;
+let _e3728 = phi_96287_;
 if _e3580 {
-phi_96297_ = (_e3219.member_1 - 1i);
+phi_96298_ = (_e3219.member_1 - 1i);
 } else {
-phi_96297_ = _e3579;
+phi_96298_ = _e3579;
 }
-let _e3731 = phi_96297_;
+let _e3731 = phi_96298_;
 let _e3735 = (((f32(_e3728) + 0.5f) * _e3224) - 0.5f);
 let _e3739 = (((f32(_e3731) + 0.5f) * _e3224) - 0.5f);
 if _e487 {
-phi_96325_ = type_25(_e3731, _e3728);
+phi_96326_ = type_26(_e3731, _e3728);
 } else {
-phi_96325_ = type_25(_e3728, _e3731);
+phi_96326_ = type_26(_e3728, _e3731);
 }
-let _e3745 = phi_96325_;
+let _e3745 = phi_96326_;
 if _e3295 {
-phi_96376_ = 0u;
+phi_96377_ = 0u;
 } else {
 if (_e1962 == 1u) {
-phi_96375_ = 0u;
+phi_96376_ = 0u;
 } else {
 if (_e1962 == 2u) {
-phi_96374_ = _e2616;
+phi_96375_ = _e2616;
 } else {
-phi_96374_ = select(_e2622, _e2619, (_e1962 == 3u));
+phi_96375_ = select(_e2622, _e2619, (_e1962 == 3u));
 }
-let _e3753 = phi_96374_;
-phi_96375_ = _e3753;
+let _e3753 = phi_96375_;
+phi_96376_ = _e3753;
 }
-let _e3755 = phi_96375_;
-phi_96376_ = _e3755;
+let _e3755 = phi_96376_;
+phi_96377_ = _e3755;
 }
-let _e3757 = phi_96376_;
+let _e3757 = phi_96377_;
 local_8 = (((bitcast<i32>(_e3757) + _e3745.member_1) * _e2613) + _e3745.member);
 let _e3762 = local_8;
 let _e3764 = select(_e2639, _e3762, (_e3762 < _e2639));
@@ -12851,11 +12863,11 @@ let _e3876 = (1u << bitcast<u32>(_e3874));
 let _e3885 = bitcast<i32>((((_e962 + _e3876) - 1u) >> bitcast<u32>(_e3874)));
 let _e3886 = bitcast<i32>((((_e965 + _e3876) - 1u) >> bitcast<u32>(_e3874)));
 if _e487 {
-phi_97378_ = type_25(_e3886, _e3885);
+phi_97379_ = type_26(_e3886, _e3885);
 } else {
-phi_97378_ = type_25(_e3885, _e3886);
+phi_97379_ = type_26(_e3885, _e3886);
 }
-let _e3890 = phi_97378_;
+let _e3890 = phi_97379_;
 let _e3895 = f32((1i << bitcast<u32>(_e3874)));
 let _e3896 = (1f / _e3895);
 let _e3898 = ((_e1983 * _e3896) - 0.5f);
@@ -12875,46 +12887,46 @@ let _e3936 = (1f - _e3934);
 let _e3939 = select(_e3915, 0i, (_e3915 < 0i));
 let _e3940 = (_e3939 >= _e3890.member);
 if _e3940 {
-phi_97456_ = (_e3890.member - 1i);
+phi_97457_ = (_e3890.member - 1i);
 } else {
-phi_97456_ = _e3939;
+phi_97457_ = _e3939;
 }
-let _e3943 = phi_97456_;
+let _e3943 = phi_97457_;
 let _e3945 = select(_e3930, 0i, (_e3930 < 0i));
 let _e3946 = (_e3945 >= _e3890.member_1);
 if _e3946 {
-phi_97467_ = (_e3890.member_1 - 1i);
+phi_97468_ = (_e3890.member_1 - 1i);
 } else {
-phi_97467_ = _e3945;
+phi_97468_ = _e3945;
 }
-let _e3949 = phi_97467_;
+let _e3949 = phi_97468_;
 let _e3953 = (((f32(_e3943) + 0.5f) * _e3895) - 0.5f);
 let _e3957 = (((f32(_e3949) + 0.5f) * _e3895) - 0.5f);
 if _e487 {
-phi_97495_ = type_25(_e3949, _e3943);
+phi_97496_ = type_26(_e3949, _e3943);
 } else {
-phi_97495_ = type_25(_e3943, _e3949);
+phi_97496_ = type_26(_e3943, _e3949);
 }
-let _e3963 = phi_97495_;
+let _e3963 = phi_97496_;
 let _e3966 = (_e1966 == 0u);
 if _e3966 {
-phi_97546_ = 0u;
+phi_97547_ = 0u;
 } else {
 if (_e1966 == 1u) {
-phi_97545_ = 0u;
+phi_97546_ = 0u;
 } else {
 if (_e1966 == 2u) {
-phi_97544_ = _e2616;
+phi_97545_ = _e2616;
 } else {
-phi_97544_ = select(_e2622, _e2619, (_e1966 == 3u));
+phi_97545_ = select(_e2622, _e2619, (_e1966 == 3u));
 }
-let _e3972 = phi_97544_;
-phi_97545_ = _e3972;
+let _e3972 = phi_97545_;
+phi_97546_ = _e3972;
 }
-let _e3974 = phi_97545_;
-phi_97546_ = _e3974;
+let _e3974 = phi_97546_;
+phi_97547_ = _e3974;
 }
-let _e3976 = phi_97546_;
+let _e3976 = phi_97547_;
 local_6 = (((bitcast<i32>(_e3976) + _e3963.member_1) * _e2613) + _e3963.member);
 let _e3981 = local_6;
 let _e3983 = select(_e2639, _e3981, (_e3981 < _e2639));
@@ -12951,43 +12963,43 @@ let _e4092 = (_e3915 + 1i);
 let _e4095 = select(_e4092, 0i, (_e4092 < 0i));
 let _e4096 = (_e4095 >= _e3890.member);
 if _e4096 {
-phi_98530_ = (_e3890.member - 1i);
+phi_98531_ = (_e3890.member - 1i);
 } else {
-phi_98530_ = _e4095;
+phi_98531_ = _e4095;
 }
-let _e4099 = phi_98530_;
+let _e4099 = phi_98531_;
 if _e3946 {
-phi_98541_ = (_e3890.member_1 - 1i);
+phi_98542_ = (_e3890.member_1 - 1i);
 } else {
-phi_98541_ = _e3945;
+phi_98542_ = _e3945;
 }
-let _e4102 = phi_98541_;
+let _e4102 = phi_98542_;
 let _e4106 = (((f32(_e4099) + 0.5f) * _e3895) - 0.5f);
 let _e4110 = (((f32(_e4102) + 0.5f) * _e3895) - 0.5f);
 if _e487 {
-phi_98569_ = type_25(_e4102, _e4099);
+phi_98570_ = type_26(_e4102, _e4099);
 } else {
-phi_98569_ = type_25(_e4099, _e4102);
+phi_98570_ = type_26(_e4099, _e4102);
 }
-let _e4116 = phi_98569_;
+let _e4116 = phi_98570_;
 if _e3966 {
-phi_98620_ = 0u;
+phi_98621_ = 0u;
 } else {
 if (_e1966 == 1u) {
-phi_98619_ = 0u;
+phi_98620_ = 0u;
 } else {
 if (_e1966 == 2u) {
-phi_98618_ = _e2616;
+phi_98619_ = _e2616;
 } else {
-phi_98618_ = select(_e2622, _e2619, (_e1966 == 3u));
+phi_98619_ = select(_e2622, _e2619, (_e1966 == 3u));
 }
-let _e4124 = phi_98618_;
-phi_98619_ = _e4124;
+let _e4124 = phi_98619_;
+phi_98620_ = _e4124;
 }
-let _e4126 = phi_98619_;
-phi_98620_ = _e4126;
+let _e4126 = phi_98620_;
+phi_98621_ = _e4126;
 }
-let _e4128 = phi_98620_;
+let _e4128 = phi_98621_;
 local_4 = (((bitcast<i32>(_e4128) + _e4116.member_1) * _e2613) + _e4116.member);
 let _e4133 = local_4;
 let _e4135 = select(_e2639, _e4133, (_e4133 < _e2639));
@@ -13022,45 +13034,45 @@ let _e4230 = select(0f, _e4221, (((_e4224 >= 0f) && (_e4224 < _e725)) && (_e4221
 let _e4232 = (_e4099 << bitcast<u32>(_e3874));
 let _e4244 = (_e3930 + 1i);
 if _e3940 {
-phi_99604_ = (_e3890.member - 1i);
+phi_99605_ = (_e3890.member - 1i);
 } else {
-phi_99604_ = _e3939;
+phi_99605_ = _e3939;
 }
-let _e4248 = phi_99604_;
+let _e4248 = phi_99605_;
 let _e4250 = select(_e4244, 0i, (_e4244 < 0i));
 let _e4251 = (_e4250 >= _e3890.member_1);
 if _e4251 {
-phi_99615_ = (_e3890.member_1 - 1i);
+phi_99616_ = (_e3890.member_1 - 1i);
 } else {
-phi_99615_ = _e4250;
+phi_99616_ = _e4250;
 }
-let _e4254 = phi_99615_;
+let _e4254 = phi_99616_;
 let _e4258 = (((f32(_e4248) + 0.5f) * _e3895) - 0.5f);
 let _e4262 = (((f32(_e4254) + 0.5f) * _e3895) - 0.5f);
 if _e487 {
-phi_99643_ = type_25(_e4254, _e4248);
+phi_99644_ = type_26(_e4254, _e4248);
 } else {
-phi_99643_ = type_25(_e4248, _e4254);
+phi_99644_ = type_26(_e4248, _e4254);
 }
-let _e4268 = phi_99643_;
+let _e4268 = phi_99644_;
 if _e3966 {
-phi_99694_ = 0u;
+phi_99695_ = 0u;
 } else {
 if (_e1966 == 1u) {
-phi_99693_ = 0u;
+phi_99694_ = 0u;
 } else {
 if (_e1966 == 2u) {
-phi_99692_ = _e2616;
+phi_99693_ = _e2616;
 } else {
-phi_99692_ = select(_e2622, _e2619, (_e1966 == 3u));
+phi_99693_ = select(_e2622, _e2619, (_e1966 == 3u));
 }
-let _e4276 = phi_99692_;
-phi_99693_ = _e4276;
+let _e4276 = phi_99693_;
+phi_99694_ = _e4276;
 }
-let _e4278 = phi_99693_;
-phi_99694_ = _e4278;
+let _e4278 = phi_99694_;
+phi_99695_ = _e4278;
 }
-let _e4280 = phi_99694_;
+let _e4280 = phi_99695_;
 local_2 = (((bitcast<i32>(_e4280) + _e4268.member_1) * _e2613) + _e4268.member);
 let _e4285 = local_2;
 let _e4287 = select(_e2639, _e4285, (_e4285 < _e2639));
@@ -13094,43 +13106,43 @@ let _e4376 = (((_e4353 * _e4343) - _e4348) * _e4370);
 let _e4382 = select(0f, _e4373, (((_e4376 >= 0f) && (_e4376 < _e725)) && (_e4373 > 0f)));
 let _e4384 = (_e4248 << bitcast<u32>(_e3874));
 if _e4096 {
-phi_100678_ = (_e3890.member - 1i);
+phi_100679_ = (_e3890.member - 1i);
 } else {
-phi_100678_ = _e4095;
+phi_100679_ = _e4095;
 }
-let _e4399 = phi_100678_;
+let _e4399 = phi_100679_;
 if _e4251 {
-phi_100689_ = (_e3890.member_1 - 1i);
+phi_100690_ = (_e3890.member_1 - 1i);
 } else {
-phi_100689_ = _e4250;
+phi_100690_ = _e4250;
 }
-let _e4402 = phi_100689_;
+let _e4402 = phi_100690_;
 let _e4406 = (((f32(_e4399) + 0.5f) * _e3895) - 0.5f);
 let _e4410 = (((f32(_e4402) + 0.5f) * _e3895) - 0.5f);
 if _e487 {
-phi_100717_ = type_25(_e4402, _e4399);
+phi_100718_ = type_26(_e4402, _e4399);
 } else {
-phi_100717_ = type_25(_e4399, _e4402);
+phi_100718_ = type_26(_e4399, _e4402);
 }
-let _e4416 = phi_100717_;
+let _e4416 = phi_100718_;
 if _e3966 {
-phi_100768_ = 0u;
+phi_100769_ = 0u;
 } else {
 if (_e1966 == 1u) {
-phi_100767_ = 0u;
+phi_100768_ = 0u;
 } else {
 if (_e1966 == 2u) {
-phi_100766_ = _e2616;
+phi_100767_ = _e2616;
 } else {
-phi_100766_ = select(_e2622, _e2619, (_e1966 == 3u));
+phi_100767_ = select(_e2622, _e2619, (_e1966 == 3u));
 }
-let _e4424 = phi_100766_;
-phi_100767_ = _e4424;
+let _e4424 = phi_100767_;
+phi_100768_ = _e4424;
 }
-let _e4426 = phi_100767_;
-phi_100768_ = _e4426;
+let _e4426 = phi_100768_;
+phi_100769_ = _e4426;
 }
-let _e4428 = phi_100768_;
+let _e4428 = phi_100769_;
 local = (((bitcast<i32>(_e4428) + _e4416.member_1) * _e2613) + _e4416.member);
 let _e4433 = local;
 let _e4435 = select(_e2639, _e4433, (_e4433 < _e2639));
@@ -13165,11 +13177,11 @@ let _e4530 = select(0f, _e4521, (((_e4524 >= 0f) && (_e4524 < _e725)) && (_e4521
 let _e4532 = (_e4399 << bitcast<u32>(_e3874));
 let _e4544 = select(((((_e3873 - select(0f, (_e3935 * _e3936), (((select(select(_e800, _e957, (_e4080 >= _e726)), _e879, (_e4080 < _e332)) == _e1966) && (_e4078 > 0f)) && (_e4078 < _e3988)))) - select(0f, (_e3932 * _e3936), (((select(select(_e800, _e957, (_e4232 >= _e726)), _e879, (_e4232 < _e332)) == _e1966) && (_e4230 > 0f)) && (_e4230 < _e4140)))) - select(0f, (_e3935 * _e3934), (((select(select(_e800, _e957, (_e4384 >= _e726)), _e879, (_e4384 < _e332)) == _e1966) && (_e4382 > 0f)) && (_e4382 < _e4292)))) - select(0f, (_e3932 * _e3934), (((select(select(_e800, _e957, (_e4532 >= _e726)), _e879, (_e4532 < _e332)) == _e1966) && (_e4530 > 0f)) && (_e4530 < _e4440)))), _e3873, _e3966);
 if _e487 {
-phi_101761_ = type_25(_e2074, _e1981);
+phi_101762_ = type_26(_e2074, _e1981);
 } else {
-phi_101761_ = type_25(_e1981, _e2074);
+phi_101762_ = type_26(_e1981, _e2074);
 }
-let _e4559 = phi_101761_;
+let _e4559 = phi_101762_;
 let _e4562 = (_e2075 && (((_e2530 > 0f) && (_e2530 < _e2154)) && (bitcast<f32>((bitcast<u32>(_e4544) & 2147483647u)) > 1e-6f)));
 let _e4565 = global_1.member.member_18.member;
 let _e4566 = (((select(_e2100, (1f - _e2100), (_e2085 >= 0f)) - select(_e2119, (1f - _e2119), (_e2104 >= 0f))) * (1f / _e2082)) * _e4565);
@@ -13210,11 +13222,11 @@ if ((_e4600 | _e4607) == 0u) {
 let _e4683 = bitcast<u32>(_e4680);
 if (_e4683 < _e304) {
 let _e4687 = atomicAdd((&global_8.member[_e4683]), _e4600);
-phi_101994_ = _e4687;
+phi_101995_ = _e4687;
 } else {
-phi_101994_ = 0u;
+phi_101995_ = 0u;
 }
-let _e4689 = phi_101994_;
+let _e4689 = phi_101995_;
 let _e4693 = (_e4607 + select(0u, 1u, ((_e4689 + _e4600) < _e4600)));
 if (_e4693 == 0u) {
 } else {
@@ -13229,11 +13241,11 @@ if ((_e4634 | _e4641) == 0u) {
 let _e4703 = bitcast<u32>((_e4680 + 2i));
 if (_e4703 < _e304) {
 let _e4707 = atomicAdd((&global_8.member[_e4703]), _e4634);
-phi_102024_ = _e4707;
+phi_102025_ = _e4707;
 } else {
-phi_102024_ = 0u;
+phi_102025_ = 0u;
 }
-let _e4709 = phi_102024_;
+let _e4709 = phi_102025_;
 let _e4713 = (_e4641 + select(0u, 1u, ((_e4709 + _e4634) < _e4634)));
 if (_e4713 == 0u) {
 } else {
@@ -13248,11 +13260,11 @@ if ((_e4668 | _e4675) == 0u) {
 let _e4723 = bitcast<u32>((_e4680 + 4i));
 if (_e4723 < _e304) {
 let _e4727 = atomicAdd((&global_8.member[_e4723]), _e4668);
-phi_102054_ = _e4727;
+phi_102055_ = _e4727;
 } else {
-phi_102054_ = 0u;
+phi_102055_ = 0u;
 }
-let _e4729 = phi_102054_;
+let _e4729 = phi_102055_;
 let _e4733 = (_e4675 + select(0u, 1u, ((_e4729 + _e4668) < _e4668)));
 if (_e4733 == 0u) {
 } else {
@@ -13262,25 +13274,25 @@ let _e4739 = atomicAdd((&global_8.member[_e4735]), _e4733);
 }
 }
 }
-phi_87437_ = (_e2072 + 1i);
+phi_87438_ = (_e2072 + 1i);
 } else {
-phi_87437_ = i32();
+phi_87438_ = i32();
 }
-let _e4742 = phi_87437_;
+let _e4742 = phi_87438_;
 continue;
 continuing {
-phi_87436_ = _e4742;
+phi_87437_ = _e4742;
 break if !(_e2075);
 }
 }
-phi_87283_ = (_e1978 + 1i);
+phi_87284_ = (_e1978 + 1i);
 } else {
-phi_87283_ = i32();
+phi_87284_ = i32();
 }
-let _e4746 = phi_87283_;
+let _e4746 = phi_87284_;
 continue;
 continuing {
-phi_87282_ = _e4746;
+phi_87283_ = _e4746;
 break if !(_e1979);
 }
 }

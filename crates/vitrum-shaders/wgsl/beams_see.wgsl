@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_17 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_21 {
+struct type_22 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
-member_1: type_17,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,20 +150,20 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_18,
-member_12: type_19,
-member_13: type_20,
+member_11: type_19,
+member_12: type_20,
+member_13: type_21,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_21,
-member_19: type_22,
-}
-struct type_24 {
-member: type_23,
+member_18: type_22,
+member_19: type_23,
 }
 struct type_25 {
+member: type_24,
+}
+struct type_26 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -163,39 +175,40 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: vec3<f32>,
 }
-struct type_26 {
+struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
-struct type_27 {
+struct type_28 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: vec3<f32>,
 member_4: f32,
 member_5: bool,
+member_6: bool,
 }
-struct type_28 {
+struct type_29 {
 member: f32,
 member_1: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_24;
+var<storage> global_1: type_25;
 @group(0) @binding(1)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(2)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(4)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 @group(0) @binding(7)
-var<storage, read_write> global_6: type_13;
+var<storage, read_write> global_6: type_15;
 @group(0) @binding(5)
-var<storage> global_7: type_13;
+var<storage> global_7: type_15;
 @group(0) @binding(6)
-var<storage> global_8: type_13;
+var<storage> global_8: type_15;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -240,202 +253,202 @@ var local_39: f32;
 var local_40: i32;
 var local_41: i32;
 var local_42: i32;
-var phi_2076_: u32;
-var phi_2079_: f32;
-var phi_2214_: i32;
-var phi_2227_: i32;
-var phi_2241_: i32;
-var phi_2557_: i32;
-var phi_2570_: i32;
-var phi_2584_: i32;
-var phi_2077_: u32;
-var phi_2080_: f32;
-var phi_2789_: f32;
-var phi_3152_: type_28;
-var phi_3156_: type_28;
-var phi_3270_: i32;
-var phi_3422_: u32;
-var phi_3425_: f32;
-var phi_3560_: i32;
-var phi_3573_: i32;
-var phi_3587_: i32;
-var phi_3903_: i32;
-var phi_3916_: i32;
-var phi_3930_: i32;
-var phi_3423_: u32;
-var phi_3426_: f32;
-var phi_4135_: f32;
-var phi_4137_: vec3<f32>;
-var phi_4140_: i32;
-var phi_4142_: f32;
-var phi_4316_: i32;
-var phi_4329_: i32;
-var phi_4343_: i32;
-var phi_4543_: f32;
-var phi_4706_: i32;
-var phi_4719_: i32;
-var phi_4733_: i32;
-var phi_4933_: f32;
-var phi_5095_: i32;
-var phi_5108_: i32;
-var phi_5122_: i32;
-var phi_5322_: f32;
-var phi_5484_: i32;
-var phi_5497_: i32;
-var phi_5511_: i32;
-var phi_5711_: f32;
-var phi_6302_: vec3<f32>;
+var phi_2079_: u32;
+var phi_2082_: f32;
+var phi_2217_: i32;
+var phi_2230_: i32;
+var phi_2244_: i32;
+var phi_2560_: i32;
+var phi_2573_: i32;
+var phi_2587_: i32;
+var phi_2080_: u32;
+var phi_2083_: f32;
+var phi_2792_: f32;
+var phi_3155_: type_29;
+var phi_3159_: type_29;
+var phi_3273_: i32;
+var phi_3425_: u32;
+var phi_3428_: f32;
+var phi_3563_: i32;
+var phi_3576_: i32;
+var phi_3590_: i32;
+var phi_3906_: i32;
+var phi_3919_: i32;
+var phi_3933_: i32;
+var phi_3426_: u32;
+var phi_3429_: f32;
+var phi_4138_: f32;
+var phi_4140_: vec3<f32>;
+var phi_4143_: i32;
+var phi_4145_: f32;
+var phi_4319_: i32;
+var phi_4332_: i32;
+var phi_4346_: i32;
+var phi_4546_: f32;
+var phi_4709_: i32;
+var phi_4722_: i32;
+var phi_4736_: i32;
+var phi_4936_: f32;
+var phi_5098_: i32;
+var phi_5111_: i32;
+var phi_5125_: i32;
+var phi_5325_: f32;
+var phi_5487_: i32;
+var phi_5500_: i32;
+var phi_5514_: i32;
+var phi_5714_: f32;
 var phi_6305_: vec3<f32>;
-var phi_6318_: type_26;
-var phi_6514_: u32;
-var phi_6517_: f32;
-var phi_6655_: i32;
-var phi_6668_: i32;
-var phi_6682_: i32;
-var phi_7001_: i32;
-var phi_7014_: i32;
-var phi_7028_: i32;
-var phi_6515_: u32;
-var phi_6518_: f32;
-var phi_7233_: f32;
-var phi_7594_: f32;
-var phi_8148_: vec3<f32>;
+var phi_6308_: vec3<f32>;
+var phi_6321_: type_27;
+var phi_6517_: u32;
+var phi_6520_: f32;
+var phi_6658_: i32;
+var phi_6671_: i32;
+var phi_6685_: i32;
+var phi_7004_: i32;
+var phi_7017_: i32;
+var phi_7031_: i32;
+var phi_6518_: u32;
+var phi_6521_: f32;
+var phi_7236_: f32;
+var phi_7597_: f32;
 var phi_8151_: vec3<f32>;
-var phi_8164_: type_26;
-var phi_8360_: u32;
-var phi_8363_: f32;
-var phi_8501_: i32;
-var phi_8514_: i32;
-var phi_8528_: i32;
-var phi_8847_: i32;
-var phi_8860_: i32;
-var phi_8874_: i32;
-var phi_8361_: u32;
-var phi_8364_: f32;
-var phi_9079_: f32;
-var phi_9440_: f32;
-var phi_9997_: vec3<f32>;
+var phi_8154_: vec3<f32>;
+var phi_8167_: type_27;
+var phi_8363_: u32;
+var phi_8366_: f32;
+var phi_8504_: i32;
+var phi_8517_: i32;
+var phi_8531_: i32;
+var phi_8850_: i32;
+var phi_8863_: i32;
+var phi_8877_: i32;
+var phi_8364_: u32;
+var phi_8367_: f32;
+var phi_9082_: f32;
+var phi_9443_: f32;
 var phi_10000_: vec3<f32>;
-var phi_10013_: type_26;
-var phi_10209_: u32;
-var phi_10212_: f32;
-var phi_10350_: i32;
-var phi_10363_: i32;
-var phi_10377_: i32;
-var phi_10696_: i32;
-var phi_10709_: i32;
-var phi_10723_: i32;
-var phi_10210_: u32;
-var phi_10213_: f32;
-var phi_10928_: f32;
-var phi_11289_: f32;
-var phi_11843_: vec3<f32>;
+var phi_10003_: vec3<f32>;
+var phi_10016_: type_27;
+var phi_10212_: u32;
+var phi_10215_: f32;
+var phi_10353_: i32;
+var phi_10366_: i32;
+var phi_10380_: i32;
+var phi_10699_: i32;
+var phi_10712_: i32;
+var phi_10726_: i32;
+var phi_10213_: u32;
+var phi_10216_: f32;
+var phi_10931_: f32;
+var phi_11292_: f32;
 var phi_11846_: vec3<f32>;
-var phi_11859_: type_26;
-var phi_12055_: u32;
-var phi_12058_: f32;
-var phi_12196_: i32;
-var phi_12209_: i32;
-var phi_12223_: i32;
-var phi_12542_: i32;
-var phi_12555_: i32;
-var phi_12569_: i32;
-var phi_12056_: u32;
-var phi_12059_: f32;
-var phi_12774_: f32;
-var phi_13135_: f32;
-var phi_4138_: vec3<f32>;
-var phi_4141_: i32;
-var phi_4143_: f32;
-var phi_13196_: vec3<f32>;
-var phi_13211_: type_25;
-var phi_13946_: type_27;
-var phi_14010_: bool;
-var phi_14130_: type_25;
-var phi_16159_: vec3<f32>;
+var phi_11849_: vec3<f32>;
+var phi_11862_: type_27;
+var phi_12058_: u32;
+var phi_12061_: f32;
+var phi_12199_: i32;
+var phi_12212_: i32;
+var phi_12226_: i32;
+var phi_12545_: i32;
+var phi_12558_: i32;
+var phi_12572_: i32;
+var phi_12059_: u32;
+var phi_12062_: f32;
+var phi_12777_: f32;
+var phi_13138_: f32;
+var phi_4141_: vec3<f32>;
+var phi_4144_: i32;
+var phi_4146_: f32;
+var phi_13199_: vec3<f32>;
+var phi_13214_: type_26;
+var phi_13949_: type_28;
+var phi_14013_: bool;
+var phi_14133_: type_26;
 var phi_16162_: vec3<f32>;
-var phi_16175_: type_26;
-var phi_16384_: u32;
-var phi_16387_: f32;
-var phi_16525_: i32;
-var phi_16538_: i32;
-var phi_16552_: i32;
-var phi_16871_: i32;
-var phi_16884_: i32;
-var phi_16898_: i32;
-var phi_16385_: u32;
-var phi_16388_: f32;
-var phi_17103_: f32;
-var phi_17455_: type_25;
-var phi_14836_: i32;
+var phi_16165_: vec3<f32>;
+var phi_16178_: type_27;
+var phi_16387_: u32;
+var phi_16390_: f32;
+var phi_16528_: i32;
+var phi_16541_: i32;
+var phi_16555_: i32;
+var phi_16874_: i32;
+var phi_16887_: i32;
+var phi_16901_: i32;
+var phi_16388_: u32;
+var phi_16391_: f32;
+var phi_17106_: f32;
+var phi_17610_: type_26;
 var phi_14839_: i32;
-var phi_14841_: i32;
-var phi_14843_: i32;
-var phi_14858_: i32;
-var phi_14864_: i32;
-var phi_14837_: i32;
-var phi_14840_: i32;
 var phi_14842_: i32;
 var phi_14844_: i32;
+var phi_14846_: i32;
+var phi_14861_: i32;
+var phi_14867_: i32;
+var phi_14840_: i32;
+var phi_14843_: i32;
+var phi_14845_: i32;
+var phi_14847_: i32;
 var local_43: i32;
 var local_44: i32;
 var local_45: i32;
-var phi_14939_: i32;
+var phi_14942_: i32;
 var local_46: i32;
 var local_47: i32;
-var phi_14945_: i32;
+var phi_14948_: i32;
 var local_48: i32;
-var phi_14952_: i32;
+var phi_14955_: i32;
 var local_49: i32;
 var local_50: i32;
-var phi_14958_: i32;
+var phi_14961_: i32;
 var local_51: i32;
 var local_52: i32;
-var phi_14969_: i32;
+var phi_14972_: i32;
 var local_53: i32;
 var local_54: i32;
-var phi_14981_: i32;
+var phi_14984_: i32;
 var local_55: i32;
 var local_56: i32;
 var local_57: i32;
 var local_58: i32;
-var phi_15217_: i32;
 var phi_15220_: i32;
-var phi_15222_: i32;
-var phi_15224_: i32;
-var phi_15239_: i32;
-var phi_15245_: i32;
-var phi_15218_: i32;
-var phi_15221_: i32;
 var phi_15223_: i32;
 var phi_15225_: i32;
+var phi_15227_: i32;
+var phi_15242_: i32;
+var phi_15248_: i32;
+var phi_15221_: i32;
+var phi_15224_: i32;
+var phi_15226_: i32;
+var phi_15228_: i32;
 var local_59: i32;
 var local_60: i32;
 var local_61: i32;
-var phi_15320_: i32;
+var phi_15323_: i32;
 var local_62: i32;
 var local_63: i32;
-var phi_15326_: i32;
+var phi_15329_: i32;
 var local_64: i32;
-var phi_15333_: i32;
+var phi_15336_: i32;
 var local_65: i32;
 var local_66: i32;
-var phi_15339_: i32;
+var phi_15342_: i32;
 var local_67: i32;
 var local_68: i32;
-var phi_15350_: i32;
+var phi_15353_: i32;
 var local_69: i32;
 var local_70: i32;
-var phi_15362_: i32;
+var phi_15365_: i32;
 var local_71: i32;
 var local_72: i32;
 var local_73: i32;
 var local_74: i32;
-var phi_15617_: vec3<f32>;
-var phi_14234_: vec3<f32>;
-var phi_15618_: vec3<f32>;
-var phi_15619_: vec3<f32>;
-var phi_17456_: type_25;
+var phi_15620_: vec3<f32>;
+var phi_14237_: vec3<f32>;
+var phi_15621_: vec3<f32>;
+var phi_15622_: vec3<f32>;
+var phi_17611_: type_26;
 var local_75: f32;
 var local_76: f32;
 var local_77: f32;
@@ -561,7 +574,7 @@ let _e478 = select(_e464, _e476, (_e476 < _e464));
 let _e483 = global_2.member[bitcast<u32>(select(0i, _e478, (_e478 > 0i)))];
 let _e494 = global_1.member.member_12.member_4;
 if (select(0u, 3u, ((_e471 == 2f) && (select(0i, select(select(i32(_e483), i32(-2147483648), (_e483 < -2147483600f)), 2147483647i, (_e483 > 2147483500f)), (_e483 == _e483)) == (bitcast<i32>(_e494) + 1i)))) > 1u) {
-let _e507 = type_25(_e215, _e225, _e236, vec3<f32>(_e247, _e258, _e269), vec3<f32>(_e280, _e291, _e302), vec3<f32>(_e313, _e324, _e335), vec3<f32>(_e346, _e357, _e368), vec3<f32>(_e379, _e390, _e401), _e412, vec3<f32>(_e423, _e434, _e445));
+let _e507 = type_26(_e215, _e225, _e236, vec3<f32>(_e247, _e258, _e269), vec3<f32>(_e280, _e291, _e302), vec3<f32>(_e313, _e324, _e335), vec3<f32>(_e346, _e357, _e368), vec3<f32>(_e379, _e390, _e401), _e412, vec3<f32>(_e423, _e434, _e445));
 let _e509 = select(_e464, _e458, (_e458 < _e464));
 let _e515 = global_2.member[bitcast<u32>(select(0i, _e509, (_e509 > 0i)))];
 let _e517 = bitcast<i32>((_e454 + _e457));
@@ -669,14 +682,14 @@ let _e883 = (_e882 - _e881);
 let _e887 = global_1.member.member_13.member_6;
 let _e888 = (_e887 == 0u);
 if _e888 {
-phi_2789_ = _e883;
+phi_2792_ = _e883;
 } else {
 let _e890 = (_e883 / f32(_e887));
-phi_2076_ = 0u;
-phi_2079_ = 0f;
+phi_2079_ = 0u;
+phi_2082_ = 0f;
 loop {
-let _e892 = phi_2076_;
-let _e894 = phi_2079_;
+let _e892 = phi_2079_;
+let _e894 = phi_2082_;
 local_75 = _e894;
 let _e897 = ((_e892 < _e887) && (_e883 > 0f));
 if _e897 {
@@ -728,29 +741,29 @@ local_39 = (_e938 - f32(_e975));
 let _e1012 = (_e975 + 1i);
 let _e1014 = select(_e1012, 0i, (_e1012 < 0i));
 if (_e1014 >= _e917) {
-phi_2214_ = (_e917 - 1i);
+phi_2217_ = (_e917 - 1i);
 } else {
-phi_2214_ = _e1014;
+phi_2217_ = _e1014;
 }
-let _e1018 = phi_2214_;
+let _e1018 = phi_2217_;
 local_40 = (_e1018 - _e975);
 let _e1020 = (_e990 + 1i);
 let _e1022 = select(_e1020, 0i, (_e1020 < 0i));
 if (_e1022 >= _e922) {
-phi_2227_ = (_e922 - 1i);
+phi_2230_ = (_e922 - 1i);
 } else {
-phi_2227_ = _e1022;
+phi_2230_ = _e1022;
 }
-let _e1026 = phi_2227_;
+let _e1026 = phi_2230_;
 let _e1028 = ((_e1026 - _e990) * _e917);
 let _e1029 = (_e1005 + 1i);
 let _e1031 = select(_e1029, 0i, (_e1029 < 0i));
 if (_e1031 >= _e927) {
-phi_2241_ = (_e927 - 1i);
+phi_2244_ = (_e927 - 1i);
 } else {
-phi_2241_ = _e1031;
+phi_2244_ = _e1031;
 }
-let _e1035 = phi_2241_;
+let _e1035 = phi_2244_;
 let _e1042 = global_1.member.member_13.member_10;
 let _e1043 = bitcast<i32>(_e1042);
 let _e1048 = ((_e1043 + (((_e1005 * _e922) + _e990) * _e917)) + _e975);
@@ -819,29 +832,29 @@ local_37 = (_e1167 - f32(_e1198));
 let _e1235 = (_e1198 + 1i);
 let _e1237 = select(_e1235, 0i, (_e1235 < 0i));
 if (_e1237 >= _e917) {
-phi_2557_ = (_e917 - 1i);
+phi_2560_ = (_e917 - 1i);
 } else {
-phi_2557_ = _e1237;
+phi_2560_ = _e1237;
 }
-let _e1241 = phi_2557_;
+let _e1241 = phi_2560_;
 local_38 = (_e1241 - _e1198);
 let _e1243 = (_e1213 + 1i);
 let _e1245 = select(_e1243, 0i, (_e1243 < 0i));
 if (_e1245 >= _e922) {
-phi_2570_ = (_e922 - 1i);
+phi_2573_ = (_e922 - 1i);
 } else {
-phi_2570_ = _e1245;
+phi_2573_ = _e1245;
 }
-let _e1249 = phi_2570_;
+let _e1249 = phi_2573_;
 let _e1251 = ((_e1249 - _e1213) * _e917);
 let _e1252 = (_e1228 + 1i);
 let _e1254 = select(_e1252, 0i, (_e1252 < 0i));
 if (_e1254 >= _e927) {
-phi_2584_ = (_e927 - 1i);
+phi_2587_ = (_e927 - 1i);
 } else {
-phi_2584_ = _e1254;
+phi_2587_ = _e1254;
 }
-let _e1258 = phi_2584_;
+let _e1258 = phi_2587_;
 let _e1266 = ((_e1043 + (((_e1228 * _e922) + _e1213) * _e917)) + _e1198);
 let _e1268 = select(_e1050, _e1266, (_e1266 < _e1050));
 let _e1273 = global_7.member[bitcast<u32>(select(0i, _e1268, (_e1268 > 0i)))];
@@ -879,25 +892,25 @@ let _e1352 = (_e1340 + _e1351);
 let _e1354 = select(_e1050, _e1352, (_e1352 < _e1050));
 let _e1359 = global_7.member[bitcast<u32>(select(0i, _e1354, (_e1354 > 0i)))];
 let _e1360 = local_37;
-phi_2077_ = (_e892 + 1u);
-phi_2080_ = (_e894 + ((0.5f * (((((((_e1057 * (1f - _e1058)) + (_e1069 * _e1070)) * _e1073) + (((_e1082 * (1f - _e1083)) + (_e1094 * _e1095)) * _e1009)) * (1f - _e1011)) + (((((_e1107 * (1f - _e1108)) + (_e1119 * _e1120)) * _e1073) + (((_e1131 * (1f - _e1132)) + (_e1143 * _e1144)) * _e1009)) * _e1011)) + ((((((_e1273 * (1f - _e1274)) + (_e1285 * _e1286)) * _e1289) + (((_e1298 * (1f - _e1299)) + (_e1310 * _e1311)) * _e1232)) * (1f - _e1234)) + (((((_e1323 * (1f - _e1324)) + (_e1335 * _e1336)) * _e1289) + (((_e1347 * (1f - _e1348)) + (_e1359 * _e1360)) * _e1232)) * _e1234)))) * _e904));
+phi_2080_ = (_e892 + 1u);
+phi_2083_ = (_e894 + ((0.5f * (((((((_e1057 * (1f - _e1058)) + (_e1069 * _e1070)) * _e1073) + (((_e1082 * (1f - _e1083)) + (_e1094 * _e1095)) * _e1009)) * (1f - _e1011)) + (((((_e1107 * (1f - _e1108)) + (_e1119 * _e1120)) * _e1073) + (((_e1131 * (1f - _e1132)) + (_e1143 * _e1144)) * _e1009)) * _e1011)) + ((((((_e1273 * (1f - _e1274)) + (_e1285 * _e1286)) * _e1289) + (((_e1298 * (1f - _e1299)) + (_e1310 * _e1311)) * _e1232)) * (1f - _e1234)) + (((((_e1323 * (1f - _e1324)) + (_e1335 * _e1336)) * _e1289) + (((_e1347 * (1f - _e1348)) + (_e1359 * _e1360)) * _e1232)) * _e1234)))) * _e904));
 } else {
-phi_2077_ = u32();
-phi_2080_ = f32();
+phi_2080_ = u32();
+phi_2083_ = f32();
 }
-let _e1375 = phi_2077_;
-let _e1377 = phi_2080_;
+let _e1375 = phi_2080_;
+let _e1377 = phi_2083_;
 continue;
 continuing {
-phi_2076_ = _e1375;
-phi_2079_ = _e1377;
+phi_2079_ = _e1375;
+phi_2082_ = _e1377;
 break if !(_e897);
 }
 }
-let _e11158 = local_75;
-phi_2789_ = _e11158;
+let _e11324 = local_75;
+phi_2792_ = _e11324;
 }
-let _e1380 = phi_2789_;
+let _e1380 = phi_2792_;
 let _e1384 = global_1.member.member_13.member;
 let _e1389 = -((_e1384.member * _e1380));
 let _e1391 = select(-87f, _e1389, (_e1389 > -87f));
@@ -962,20 +975,20 @@ if (_e1585 < 0f) {
 let _e1639 = (_e1604 && ((_e1577 + (_e1582 * (0.5f * (_e1616 + _e1618)))) > 0f));
 let _e1640 = select(_e882, _e1616, _e1639);
 let _e1643 = select(_e881, _e1618, _e1639);
-phi_3152_ = type_28(select(_e1640, _e881, (_e881 > _e1640)), select(_e1643, _e882, (_e882 < _e1643)));
+phi_3155_ = type_29(select(_e1640, _e881, (_e881 > _e1640)), select(_e1643, _e882, (_e882 < _e1643)));
 } else {
 let _e1623 = (-(_e1577) / select(_e1582, 1e-20f, (_e1582 == 0f)));
 let _e1626 = (_e1582 > 0f);
 let _e1627 = select(_e881, select(_e1623, _e1618, _e1604), _e1626);
 let _e1630 = select(select(_e1623, _e1616, _e1604), _e882, _e1626);
-phi_3152_ = type_28(select(_e1627, _e881, (_e881 > _e1627)), select(_e1630, _e882, (_e882 < _e1630)));
+phi_3155_ = type_29(select(_e1627, _e881, (_e881 > _e1627)), select(_e1630, _e882, (_e882 < _e1630)));
 }
-let _e1648 = phi_3152_;
-phi_3156_ = _e1648;
+let _e1648 = phi_3155_;
+phi_3159_ = _e1648;
 } else {
-phi_3156_ = type_28(_e881, _e882);
+phi_3159_ = type_29(_e881, _e882);
 }
-let _e1650 = phi_3156_;
+let _e1650 = phi_3159_;
 if (_e1650.member_1 > _e1650.member) {
 let _e1657 = global_1.member.member_10.member_3;
 let _e1661 = (_e1657.member - _e798);
@@ -996,11 +1009,11 @@ let _e1697 = ((_e1650.member_1 - _e1668) / _e1684);
 let _e1699 = (1f + (_e1697 * _e1697));
 let _e1706 = bitcast<i32>(_e887);
 if (12i < _e1706) {
-phi_3270_ = (_e1706 / 2i);
+phi_3273_ = (_e1706 / 2i);
 } else {
-phi_3270_ = 6i;
+phi_3273_ = 6i;
 }
-let _e1710 = phi_3270_;
+let _e1710 = phi_3273_;
 let _e1714 = ((select((_e1697 / (1f + sqrt(select(0f, _e1699, (_e1699 > 0f))))), _e1650.member_1, _e1685) - _e1695) * (0.5f / f32(_e1710)));
 let _e1716 = select(_e881, _e865, (_e865 > _e881));
 let _e1718 = select(_e1650.member, _e875, (_e875 < _e1650.member));
@@ -1008,14 +1021,14 @@ let _e1719 = (_e1718 > _e1716);
 let _e1720 = select(_e881, _e1716, _e1719);
 let _e1722 = (select(_e881, _e1718, _e1719) - _e1720);
 if _e888 {
-phi_4135_ = _e1722;
+phi_4138_ = _e1722;
 } else {
 let _e1724 = (_e1722 / f32(_e887));
-phi_3422_ = 0u;
-phi_3425_ = 0f;
+phi_3425_ = 0u;
+phi_3428_ = 0f;
 loop {
-let _e1726 = phi_3422_;
-let _e1728 = phi_3425_;
+let _e1726 = phi_3425_;
+let _e1728 = phi_3428_;
 local_76 = _e1728;
 let _e1731 = ((_e1726 < _e887) && (_e1722 > 0f));
 if _e1731 {
@@ -1067,29 +1080,29 @@ local_35 = (_e1772 - f32(_e1809));
 let _e1846 = (_e1809 + 1i);
 let _e1848 = select(_e1846, 0i, (_e1846 < 0i));
 if (_e1848 >= _e1751) {
-phi_3560_ = (_e1751 - 1i);
+phi_3563_ = (_e1751 - 1i);
 } else {
-phi_3560_ = _e1848;
+phi_3563_ = _e1848;
 }
-let _e1852 = phi_3560_;
+let _e1852 = phi_3563_;
 local_36 = (_e1852 - _e1809);
 let _e1854 = (_e1824 + 1i);
 let _e1856 = select(_e1854, 0i, (_e1854 < 0i));
 if (_e1856 >= _e1756) {
-phi_3573_ = (_e1756 - 1i);
+phi_3576_ = (_e1756 - 1i);
 } else {
-phi_3573_ = _e1856;
+phi_3576_ = _e1856;
 }
-let _e1860 = phi_3573_;
+let _e1860 = phi_3576_;
 let _e1862 = ((_e1860 - _e1824) * _e1751);
 let _e1863 = (_e1839 + 1i);
 let _e1865 = select(_e1863, 0i, (_e1863 < 0i));
 if (_e1865 >= _e1761) {
-phi_3587_ = (_e1761 - 1i);
+phi_3590_ = (_e1761 - 1i);
 } else {
-phi_3587_ = _e1865;
+phi_3590_ = _e1865;
 }
-let _e1869 = phi_3587_;
+let _e1869 = phi_3590_;
 let _e1876 = global_1.member.member_13.member_10;
 let _e1877 = bitcast<i32>(_e1876);
 let _e1882 = ((_e1877 + (((_e1839 * _e1756) + _e1824) * _e1751)) + _e1809);
@@ -1158,29 +1171,29 @@ local_33 = (_e2001 - f32(_e2032));
 let _e2069 = (_e2032 + 1i);
 let _e2071 = select(_e2069, 0i, (_e2069 < 0i));
 if (_e2071 >= _e1751) {
-phi_3903_ = (_e1751 - 1i);
+phi_3906_ = (_e1751 - 1i);
 } else {
-phi_3903_ = _e2071;
+phi_3906_ = _e2071;
 }
-let _e2075 = phi_3903_;
+let _e2075 = phi_3906_;
 local_34 = (_e2075 - _e2032);
 let _e2077 = (_e2047 + 1i);
 let _e2079 = select(_e2077, 0i, (_e2077 < 0i));
 if (_e2079 >= _e1756) {
-phi_3916_ = (_e1756 - 1i);
+phi_3919_ = (_e1756 - 1i);
 } else {
-phi_3916_ = _e2079;
+phi_3919_ = _e2079;
 }
-let _e2083 = phi_3916_;
+let _e2083 = phi_3919_;
 let _e2085 = ((_e2083 - _e2047) * _e1751);
 let _e2086 = (_e2062 + 1i);
 let _e2088 = select(_e2086, 0i, (_e2086 < 0i));
 if (_e2088 >= _e1761) {
-phi_3930_ = (_e1761 - 1i);
+phi_3933_ = (_e1761 - 1i);
 } else {
-phi_3930_ = _e2088;
+phi_3933_ = _e2088;
 }
-let _e2092 = phi_3930_;
+let _e2092 = phi_3933_;
 let _e2100 = ((_e1877 + (((_e2062 * _e1756) + _e2047) * _e1751)) + _e2032);
 let _e2102 = select(_e1884, _e2100, (_e2100 < _e1884));
 let _e2107 = global_7.member[bitcast<u32>(select(0i, _e2102, (_e2102 > 0i)))];
@@ -1218,32 +1231,32 @@ let _e2186 = (_e2174 + _e2185);
 let _e2188 = select(_e1884, _e2186, (_e2186 < _e1884));
 let _e2193 = global_7.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
 let _e2194 = local_33;
-phi_3423_ = (_e1726 + 1u);
-phi_3426_ = (_e1728 + ((0.5f * (((((((_e1891 * (1f - _e1892)) + (_e1903 * _e1904)) * _e1907) + (((_e1916 * (1f - _e1917)) + (_e1928 * _e1929)) * _e1843)) * (1f - _e1845)) + (((((_e1941 * (1f - _e1942)) + (_e1953 * _e1954)) * _e1907) + (((_e1965 * (1f - _e1966)) + (_e1977 * _e1978)) * _e1843)) * _e1845)) + ((((((_e2107 * (1f - _e2108)) + (_e2119 * _e2120)) * _e2123) + (((_e2132 * (1f - _e2133)) + (_e2144 * _e2145)) * _e2066)) * (1f - _e2068)) + (((((_e2157 * (1f - _e2158)) + (_e2169 * _e2170)) * _e2123) + (((_e2181 * (1f - _e2182)) + (_e2193 * _e2194)) * _e2066)) * _e2068)))) * _e1738));
+phi_3426_ = (_e1726 + 1u);
+phi_3429_ = (_e1728 + ((0.5f * (((((((_e1891 * (1f - _e1892)) + (_e1903 * _e1904)) * _e1907) + (((_e1916 * (1f - _e1917)) + (_e1928 * _e1929)) * _e1843)) * (1f - _e1845)) + (((((_e1941 * (1f - _e1942)) + (_e1953 * _e1954)) * _e1907) + (((_e1965 * (1f - _e1966)) + (_e1977 * _e1978)) * _e1843)) * _e1845)) + ((((((_e2107 * (1f - _e2108)) + (_e2119 * _e2120)) * _e2123) + (((_e2132 * (1f - _e2133)) + (_e2144 * _e2145)) * _e2066)) * (1f - _e2068)) + (((((_e2157 * (1f - _e2158)) + (_e2169 * _e2170)) * _e2123) + (((_e2181 * (1f - _e2182)) + (_e2193 * _e2194)) * _e2066)) * _e2068)))) * _e1738));
 } else {
-phi_3423_ = u32();
-phi_3426_ = f32();
+phi_3426_ = u32();
+phi_3429_ = f32();
 }
-let _e2209 = phi_3423_;
-let _e2211 = phi_3426_;
+let _e2209 = phi_3426_;
+let _e2211 = phi_3429_;
 continue;
 continuing {
-phi_3422_ = _e2209;
-phi_3425_ = _e2211;
+phi_3425_ = _e2209;
+phi_3428_ = _e2211;
 break if !(_e1731);
 }
 }
-let _e11174 = local_76;
-phi_4135_ = _e11174;
+let _e11340 = local_76;
+phi_4138_ = _e11340;
 }
-let _e2214 = phi_4135_;
-phi_4137_ = vec3<f32>(0f, 0f, 0f);
-phi_4140_ = 0i;
-phi_4142_ = _e2214;
+let _e2214 = phi_4138_;
+phi_4140_ = vec3<f32>(0f, 0f, 0f);
+phi_4143_ = 0i;
+phi_4145_ = _e2214;
 loop {
-let _e2216 = phi_4137_;
-let _e2218 = phi_4140_;
-let _e2220 = phi_4142_;
+let _e2216 = phi_4140_;
+let _e2218 = phi_4143_;
+let _e2220 = phi_4145_;
 local_81 = _e2216;
 let _e2221 = (_e2218 < _e1710);
 if _e2221 {
@@ -1260,7 +1273,7 @@ let _e2252 = (_e801 + vec3<f32>(_e2245, _e2246, _e2247));
 let _e2255 = global_1.member.member_13.member_6;
 let _e2256 = (_e2255 == 0u);
 if _e2256 {
-phi_4543_ = 1f;
+phi_4546_ = 1f;
 } else {
 let _e2259 = global_1.member.member_13.member_7;
 let _e2260 = bitcast<i32>(_e2259);
@@ -1303,29 +1316,29 @@ local_31 = (_e2291 - f32(_e2328));
 let _e2365 = (_e2328 + 1i);
 let _e2367 = select(_e2365, 0i, (_e2365 < 0i));
 if (_e2367 >= _e2260) {
-phi_4316_ = (_e2260 - 1i);
+phi_4319_ = (_e2260 - 1i);
 } else {
-phi_4316_ = _e2367;
+phi_4319_ = _e2367;
 }
-let _e2371 = phi_4316_;
+let _e2371 = phi_4319_;
 local_32 = (_e2371 - _e2328);
 let _e2373 = (_e2343 + 1i);
 let _e2375 = select(_e2373, 0i, (_e2373 < 0i));
 if (_e2375 >= _e2264) {
-phi_4329_ = (_e2264 - 1i);
+phi_4332_ = (_e2264 - 1i);
 } else {
-phi_4329_ = _e2375;
+phi_4332_ = _e2375;
 }
-let _e2379 = phi_4329_;
+let _e2379 = phi_4332_;
 let _e2381 = ((_e2379 - _e2343) * _e2260);
 let _e2382 = (_e2358 + 1i);
 let _e2384 = select(_e2382, 0i, (_e2382 < 0i));
 if (_e2384 >= _e2268) {
-phi_4343_ = (_e2268 - 1i);
+phi_4346_ = (_e2268 - 1i);
 } else {
-phi_4343_ = _e2384;
+phi_4346_ = _e2384;
 }
-let _e2388 = phi_4343_;
+let _e2388 = phi_4346_;
 let _e2394 = global_1.member.member_13.member_10;
 let _e2400 = ((bitcast<i32>(_e2394) + (((_e2358 * _e2264) + _e2343) * _e2260)) + _e2328);
 let _e2402 = (bitcast<i32>(_e188) - 1i);
@@ -1365,9 +1378,9 @@ let _e2488 = (_e2476 + _e2487);
 let _e2490 = select(_e2402, _e2488, (_e2488 < _e2402));
 let _e2495 = global_7.member[bitcast<u32>(select(0i, _e2490, (_e2490 > 0i)))];
 let _e2496 = local_31;
-phi_4543_ = ((((((_e2409 * (1f - _e2410)) + (_e2421 * _e2422)) * _e2425) + (((_e2434 * (1f - _e2435)) + (_e2446 * _e2447)) * _e2362)) * (1f - _e2364)) + (((((_e2459 * (1f - _e2460)) + (_e2471 * _e2472)) * _e2425) + (((_e2483 * (1f - _e2484)) + (_e2495 * _e2496)) * _e2362)) * _e2364));
+phi_4546_ = ((((((_e2409 * (1f - _e2410)) + (_e2421 * _e2422)) * _e2425) + (((_e2434 * (1f - _e2435)) + (_e2446 * _e2447)) * _e2362)) * (1f - _e2364)) + (((((_e2459 * (1f - _e2460)) + (_e2471 * _e2472)) * _e2425) + (((_e2483 * (1f - _e2484)) + (_e2495 * _e2496)) * _e2362)) * _e2364));
 }
-let _e2506 = phi_4543_;
+let _e2506 = phi_4546_;
 let _e2509 = (_e2226 + (_e1714 * -(0.33998105f)));
 let _e2510 = (_e2509 * _e2509);
 let _e2511 = (1f - _e2510);
@@ -1378,7 +1391,7 @@ let _e2526 = (_e558 * _e2523);
 let _e2527 = (_e569 * _e2523);
 let _e2532 = (_e801 + vec3<f32>(_e2525, _e2526, _e2527));
 if _e2256 {
-phi_4933_ = 1f;
+phi_4936_ = 1f;
 } else {
 let _e2535 = global_1.member.member_13.member_7;
 let _e2536 = bitcast<i32>(_e2535);
@@ -1421,29 +1434,29 @@ local_29 = (_e2567 - f32(_e2604));
 let _e2641 = (_e2604 + 1i);
 let _e2643 = select(_e2641, 0i, (_e2641 < 0i));
 if (_e2643 >= _e2536) {
-phi_4706_ = (_e2536 - 1i);
+phi_4709_ = (_e2536 - 1i);
 } else {
-phi_4706_ = _e2643;
+phi_4709_ = _e2643;
 }
-let _e2647 = phi_4706_;
+let _e2647 = phi_4709_;
 local_30 = (_e2647 - _e2604);
 let _e2649 = (_e2619 + 1i);
 let _e2651 = select(_e2649, 0i, (_e2649 < 0i));
 if (_e2651 >= _e2540) {
-phi_4719_ = (_e2540 - 1i);
+phi_4722_ = (_e2540 - 1i);
 } else {
-phi_4719_ = _e2651;
+phi_4722_ = _e2651;
 }
-let _e2655 = phi_4719_;
+let _e2655 = phi_4722_;
 let _e2657 = ((_e2655 - _e2619) * _e2536);
 let _e2658 = (_e2634 + 1i);
 let _e2660 = select(_e2658, 0i, (_e2658 < 0i));
 if (_e2660 >= _e2544) {
-phi_4733_ = (_e2544 - 1i);
+phi_4736_ = (_e2544 - 1i);
 } else {
-phi_4733_ = _e2660;
+phi_4736_ = _e2660;
 }
-let _e2664 = phi_4733_;
+let _e2664 = phi_4736_;
 let _e2670 = global_1.member.member_13.member_10;
 let _e2676 = ((bitcast<i32>(_e2670) + (((_e2634 * _e2540) + _e2619) * _e2536)) + _e2604);
 let _e2678 = (bitcast<i32>(_e188) - 1i);
@@ -1483,9 +1496,9 @@ let _e2764 = (_e2752 + _e2763);
 let _e2766 = select(_e2678, _e2764, (_e2764 < _e2678));
 let _e2771 = global_7.member[bitcast<u32>(select(0i, _e2766, (_e2766 > 0i)))];
 let _e2772 = local_29;
-phi_4933_ = ((((((_e2685 * (1f - _e2686)) + (_e2697 * _e2698)) * _e2701) + (((_e2710 * (1f - _e2711)) + (_e2722 * _e2723)) * _e2638)) * (1f - _e2640)) + (((((_e2735 * (1f - _e2736)) + (_e2747 * _e2748)) * _e2701) + (((_e2759 * (1f - _e2760)) + (_e2771 * _e2772)) * _e2638)) * _e2640));
+phi_4936_ = ((((((_e2685 * (1f - _e2686)) + (_e2697 * _e2698)) * _e2701) + (((_e2710 * (1f - _e2711)) + (_e2722 * _e2723)) * _e2638)) * (1f - _e2640)) + (((((_e2735 * (1f - _e2736)) + (_e2747 * _e2748)) * _e2701) + (((_e2759 * (1f - _e2760)) + (_e2771 * _e2772)) * _e2638)) * _e2640));
 }
-let _e2782 = phi_4933_;
+let _e2782 = phi_4936_;
 let _e2784 = (_e2226 + (_e1714 * 0.33998105f));
 let _e2785 = (_e2784 * _e2784);
 let _e2786 = (1f - _e2785);
@@ -1496,7 +1509,7 @@ let _e2801 = (_e558 * _e2798);
 let _e2802 = (_e569 * _e2798);
 let _e2807 = (_e801 + vec3<f32>(_e2800, _e2801, _e2802));
 if _e2256 {
-phi_5322_ = 1f;
+phi_5325_ = 1f;
 } else {
 let _e2810 = global_1.member.member_13.member_7;
 let _e2811 = bitcast<i32>(_e2810);
@@ -1539,29 +1552,29 @@ local_27 = (_e2842 - f32(_e2879));
 let _e2916 = (_e2879 + 1i);
 let _e2918 = select(_e2916, 0i, (_e2916 < 0i));
 if (_e2918 >= _e2811) {
-phi_5095_ = (_e2811 - 1i);
+phi_5098_ = (_e2811 - 1i);
 } else {
-phi_5095_ = _e2918;
+phi_5098_ = _e2918;
 }
-let _e2922 = phi_5095_;
+let _e2922 = phi_5098_;
 local_28 = (_e2922 - _e2879);
 let _e2924 = (_e2894 + 1i);
 let _e2926 = select(_e2924, 0i, (_e2924 < 0i));
 if (_e2926 >= _e2815) {
-phi_5108_ = (_e2815 - 1i);
+phi_5111_ = (_e2815 - 1i);
 } else {
-phi_5108_ = _e2926;
+phi_5111_ = _e2926;
 }
-let _e2930 = phi_5108_;
+let _e2930 = phi_5111_;
 let _e2932 = ((_e2930 - _e2894) * _e2811);
 let _e2933 = (_e2909 + 1i);
 let _e2935 = select(_e2933, 0i, (_e2933 < 0i));
 if (_e2935 >= _e2819) {
-phi_5122_ = (_e2819 - 1i);
+phi_5125_ = (_e2819 - 1i);
 } else {
-phi_5122_ = _e2935;
+phi_5125_ = _e2935;
 }
-let _e2939 = phi_5122_;
+let _e2939 = phi_5125_;
 let _e2945 = global_1.member.member_13.member_10;
 let _e2951 = ((bitcast<i32>(_e2945) + (((_e2909 * _e2815) + _e2894) * _e2811)) + _e2879);
 let _e2953 = (bitcast<i32>(_e188) - 1i);
@@ -1601,9 +1614,9 @@ let _e3039 = (_e3027 + _e3038);
 let _e3041 = select(_e2953, _e3039, (_e3039 < _e2953));
 let _e3046 = global_7.member[bitcast<u32>(select(0i, _e3041, (_e3041 > 0i)))];
 let _e3047 = local_27;
-phi_5322_ = ((((((_e2960 * (1f - _e2961)) + (_e2972 * _e2973)) * _e2976) + (((_e2985 * (1f - _e2986)) + (_e2997 * _e2998)) * _e2913)) * (1f - _e2915)) + (((((_e3010 * (1f - _e3011)) + (_e3022 * _e3023)) * _e2976) + (((_e3034 * (1f - _e3035)) + (_e3046 * _e3047)) * _e2913)) * _e2915));
+phi_5325_ = ((((((_e2960 * (1f - _e2961)) + (_e2972 * _e2973)) * _e2976) + (((_e2985 * (1f - _e2986)) + (_e2997 * _e2998)) * _e2913)) * (1f - _e2915)) + (((((_e3010 * (1f - _e3011)) + (_e3022 * _e3023)) * _e2976) + (((_e3034 * (1f - _e3035)) + (_e3046 * _e3047)) * _e2913)) * _e2915));
 }
-let _e3057 = phi_5322_;
+let _e3057 = phi_5325_;
 let _e3059 = (_e2226 + (_e1714 * 0.8611363f));
 let _e3060 = (_e3059 * _e3059);
 let _e3061 = (1f - _e3060);
@@ -1614,7 +1627,7 @@ let _e3076 = (_e558 * _e3073);
 let _e3077 = (_e569 * _e3073);
 let _e3082 = (_e801 + vec3<f32>(_e3075, _e3076, _e3077));
 if _e2256 {
-phi_5711_ = 1f;
+phi_5714_ = 1f;
 } else {
 let _e3085 = global_1.member.member_13.member_7;
 let _e3086 = bitcast<i32>(_e3085);
@@ -1657,29 +1670,29 @@ local_25 = (_e3117 - f32(_e3154));
 let _e3191 = (_e3154 + 1i);
 let _e3193 = select(_e3191, 0i, (_e3191 < 0i));
 if (_e3193 >= _e3086) {
-phi_5484_ = (_e3086 - 1i);
+phi_5487_ = (_e3086 - 1i);
 } else {
-phi_5484_ = _e3193;
+phi_5487_ = _e3193;
 }
-let _e3197 = phi_5484_;
+let _e3197 = phi_5487_;
 local_26 = (_e3197 - _e3154);
 let _e3199 = (_e3169 + 1i);
 let _e3201 = select(_e3199, 0i, (_e3199 < 0i));
 if (_e3201 >= _e3090) {
-phi_5497_ = (_e3090 - 1i);
+phi_5500_ = (_e3090 - 1i);
 } else {
-phi_5497_ = _e3201;
+phi_5500_ = _e3201;
 }
-let _e3205 = phi_5497_;
+let _e3205 = phi_5500_;
 let _e3207 = ((_e3205 - _e3169) * _e3086);
 let _e3208 = (_e3184 + 1i);
 let _e3210 = select(_e3208, 0i, (_e3208 < 0i));
 if (_e3210 >= _e3094) {
-phi_5511_ = (_e3094 - 1i);
+phi_5514_ = (_e3094 - 1i);
 } else {
-phi_5511_ = _e3210;
+phi_5514_ = _e3210;
 }
-let _e3214 = phi_5511_;
+let _e3214 = phi_5514_;
 let _e3220 = global_1.member.member_13.member_10;
 let _e3226 = ((bitcast<i32>(_e3220) + (((_e3184 * _e3090) + _e3169) * _e3086)) + _e3154);
 let _e3228 = (bitcast<i32>(_e188) - 1i);
@@ -1719,9 +1732,9 @@ let _e3314 = (_e3302 + _e3313);
 let _e3316 = select(_e3228, _e3314, (_e3314 < _e3228));
 let _e3321 = global_7.member[bitcast<u32>(select(0i, _e3316, (_e3316 > 0i)))];
 let _e3322 = local_25;
-phi_5711_ = ((((((_e3235 * (1f - _e3236)) + (_e3247 * _e3248)) * _e3251) + (((_e3260 * (1f - _e3261)) + (_e3272 * _e3273)) * _e3188)) * (1f - _e3190)) + (((((_e3285 * (1f - _e3286)) + (_e3297 * _e3298)) * _e3251) + (((_e3309 * (1f - _e3310)) + (_e3321 * _e3322)) * _e3188)) * _e3190));
+phi_5714_ = ((((((_e3235 * (1f - _e3236)) + (_e3247 * _e3248)) * _e3251) + (((_e3260 * (1f - _e3261)) + (_e3272 * _e3273)) * _e3188)) * (1f - _e3190)) + (((((_e3285 * (1f - _e3286)) + (_e3297 * _e3298)) * _e3251) + (((_e3309 * (1f - _e3310)) + (_e3321 * _e3322)) * _e3188)) * _e3190));
 }
-let _e3332 = phi_5711_;
+let _e3332 = phi_5714_;
 let _e3333 = (_e2226 - _e1714);
 let _e3335 = (1f - (_e3333 * _e3333));
 let _e3343 = (_e2226 + _e1714);
@@ -1737,7 +1750,7 @@ let _e3384 = global_1.member.member_10.member;
 let _e3385 = (_e3384 == 0u);
 if _e3385 {
 let _e3723 = global_1.member.member_10.member_1;
-phi_6318_ = type_26(vec3<f32>(_e3723.member, _e3723.member_1, _e3723.member_2), _e3381);
+phi_6321_ = type_27(vec3<f32>(_e3723.member, _e3723.member_1, _e3723.member_2), _e3381);
 } else {
 let _e3388 = global_1.member.member_10.member_3;
 let _e3393 = (_e2252.x - _e3388.member);
@@ -1839,20 +1852,20 @@ let _e3675 = global_3.member[bitcast<u32>(select(0i, _e3670, (_e3670 > 0i)))];
 let _e3682 = (_e3575 + ((_e3603 - _e3575) * _e3547));
 let _e3683 = (_e3583 + ((_e3611 - _e3583) * _e3547));
 let _e3684 = (_e3591 + ((_e3619 - _e3591) * _e3547));
-phi_6302_ = vec3<f32>(((_e3682 + (((_e3631 + ((_e3659 - _e3631) * _e3547)) - _e3682) * _e3549)) * _e3476), ((_e3683 + (((_e3639 + ((_e3667 - _e3639) * _e3547)) - _e3683) * _e3549)) * _e3476), ((_e3684 + (((_e3647 + ((_e3675 - _e3647) * _e3547)) - _e3684) * _e3549)) * _e3476));
+phi_6305_ = vec3<f32>(((_e3682 + (((_e3631 + ((_e3659 - _e3631) * _e3547)) - _e3682) * _e3549)) * _e3476), ((_e3683 + (((_e3639 + ((_e3667 - _e3639) * _e3547)) - _e3683) * _e3549)) * _e3476), ((_e3684 + (((_e3647 + ((_e3675 - _e3647) * _e3547)) - _e3684) * _e3549)) * _e3476));
 } else {
-phi_6302_ = vec3(_e3476);
+phi_6305_ = vec3(_e3476);
 }
-let _e3708 = phi_6302_;
-phi_6305_ = (_e3409 * _e3708);
+let _e3708 = phi_6305_;
+phi_6308_ = (_e3409 * _e3708);
 } else {
-phi_6305_ = _e3409;
+phi_6308_ = _e3409;
 }
-let _e3711 = phi_6305_;
+let _e3711 = phi_6308_;
 let _e3715 = (1f / sqrt(select(0f, _e3404, (_e3404 > 0f))));
-phi_6318_ = type_26(vec3<f32>((_e3393 * _e3715), (_e3395 * _e3715), (_e3397 * _e3715)), _e3711);
+phi_6321_ = type_27(vec3<f32>((_e3393 * _e3715), (_e3395 * _e3715), (_e3397 * _e3715)), _e3711);
 }
-let _e3730 = phi_6318_;
+let _e3730 = phi_6321_;
 let _e3734 = global_1.member.member_10.member_3;
 let _e3739 = (_e3734.member - _e2252.x);
 let _e3741 = (_e3734.member_1 - _e2252.y);
@@ -1889,14 +1902,14 @@ let _e3831 = (_e3830 > _e3828);
 let _e3832 = select(0f, _e3828, _e3831);
 let _e3834 = (select(0f, _e3830, _e3831) - _e3832);
 if _e2256 {
-phi_7233_ = _e3834;
+phi_7236_ = _e3834;
 } else {
 let _e3836 = (_e3834 / f32(_e2255));
-phi_6514_ = 0u;
-phi_6517_ = 0f;
+phi_6517_ = 0u;
+phi_6520_ = 0f;
 loop {
-let _e3838 = phi_6514_;
-let _e3840 = phi_6517_;
+let _e3838 = phi_6517_;
+let _e3840 = phi_6520_;
 local_77 = _e3840;
 let _e3843 = ((_e3838 < _e2255) && (_e3834 > 0f));
 if _e3843 {
@@ -1948,29 +1961,29 @@ local_22 = (_e3881 - f32(_e3918));
 let _e3955 = (_e3918 + 1i);
 let _e3957 = select(_e3955, 0i, (_e3955 < 0i));
 if (_e3957 >= _e3862) {
-phi_6655_ = (_e3862 - 1i);
+phi_6658_ = (_e3862 - 1i);
 } else {
-phi_6655_ = _e3957;
+phi_6658_ = _e3957;
 }
-let _e3961 = phi_6655_;
+let _e3961 = phi_6658_;
 local_23 = (_e3961 - _e3918);
 let _e3963 = (_e3933 + 1i);
 let _e3965 = select(_e3963, 0i, (_e3963 < 0i));
 if (_e3965 >= _e3866) {
-phi_6668_ = (_e3866 - 1i);
+phi_6671_ = (_e3866 - 1i);
 } else {
-phi_6668_ = _e3965;
+phi_6671_ = _e3965;
 }
-let _e3969 = phi_6668_;
+let _e3969 = phi_6671_;
 let _e3971 = ((_e3969 - _e3933) * _e3862);
 let _e3972 = (_e3948 + 1i);
 let _e3974 = select(_e3972, 0i, (_e3972 < 0i));
 if (_e3974 >= _e3870) {
-phi_6682_ = (_e3870 - 1i);
+phi_6685_ = (_e3870 - 1i);
 } else {
-phi_6682_ = _e3974;
+phi_6685_ = _e3974;
 }
-let _e3978 = phi_6682_;
+let _e3978 = phi_6685_;
 let _e3984 = global_1.member.member_13.member_10;
 let _e3985 = bitcast<i32>(_e3984);
 let _e3990 = ((_e3985 + (((_e3948 * _e3866) + _e3933) * _e3862)) + _e3918);
@@ -2039,29 +2052,29 @@ local_20 = (_e4109 - f32(_e4140));
 let _e4177 = (_e4140 + 1i);
 let _e4179 = select(_e4177, 0i, (_e4177 < 0i));
 if (_e4179 >= _e3862) {
-phi_7001_ = (_e3862 - 1i);
+phi_7004_ = (_e3862 - 1i);
 } else {
-phi_7001_ = _e4179;
+phi_7004_ = _e4179;
 }
-let _e4183 = phi_7001_;
+let _e4183 = phi_7004_;
 local_21 = (_e4183 - _e4140);
 let _e4185 = (_e4155 + 1i);
 let _e4187 = select(_e4185, 0i, (_e4185 < 0i));
 if (_e4187 >= _e3866) {
-phi_7014_ = (_e3866 - 1i);
+phi_7017_ = (_e3866 - 1i);
 } else {
-phi_7014_ = _e4187;
+phi_7017_ = _e4187;
 }
-let _e4191 = phi_7014_;
+let _e4191 = phi_7017_;
 let _e4193 = ((_e4191 - _e4155) * _e3862);
 let _e4194 = (_e4170 + 1i);
 let _e4196 = select(_e4194, 0i, (_e4194 < 0i));
 if (_e4196 >= _e3870) {
-phi_7028_ = (_e3870 - 1i);
+phi_7031_ = (_e3870 - 1i);
 } else {
-phi_7028_ = _e4196;
+phi_7031_ = _e4196;
 }
-let _e4200 = phi_7028_;
+let _e4200 = phi_7031_;
 let _e4208 = ((_e3985 + (((_e4170 * _e3866) + _e4155) * _e3862)) + _e4140);
 let _e4210 = select(_e3992, _e4208, (_e4208 < _e3992));
 let _e4215 = global_7.member[bitcast<u32>(select(0i, _e4210, (_e4210 > 0i)))];
@@ -2099,25 +2112,25 @@ let _e4294 = (_e4282 + _e4293);
 let _e4296 = select(_e3992, _e4294, (_e4294 < _e3992));
 let _e4301 = global_7.member[bitcast<u32>(select(0i, _e4296, (_e4296 > 0i)))];
 let _e4302 = local_20;
-phi_6515_ = (_e3838 + 1u);
-phi_6518_ = (_e3840 + ((0.5f * (((((((_e3999 * (1f - _e4000)) + (_e4011 * _e4012)) * _e4015) + (((_e4024 * (1f - _e4025)) + (_e4036 * _e4037)) * _e3952)) * (1f - _e3954)) + (((((_e4049 * (1f - _e4050)) + (_e4061 * _e4062)) * _e4015) + (((_e4073 * (1f - _e4074)) + (_e4085 * _e4086)) * _e3952)) * _e3954)) + ((((((_e4215 * (1f - _e4216)) + (_e4227 * _e4228)) * _e4231) + (((_e4240 * (1f - _e4241)) + (_e4252 * _e4253)) * _e4174)) * (1f - _e4176)) + (((((_e4265 * (1f - _e4266)) + (_e4277 * _e4278)) * _e4231) + (((_e4289 * (1f - _e4290)) + (_e4301 * _e4302)) * _e4174)) * _e4176)))) * _e3850));
+phi_6518_ = (_e3838 + 1u);
+phi_6521_ = (_e3840 + ((0.5f * (((((((_e3999 * (1f - _e4000)) + (_e4011 * _e4012)) * _e4015) + (((_e4024 * (1f - _e4025)) + (_e4036 * _e4037)) * _e3952)) * (1f - _e3954)) + (((((_e4049 * (1f - _e4050)) + (_e4061 * _e4062)) * _e4015) + (((_e4073 * (1f - _e4074)) + (_e4085 * _e4086)) * _e3952)) * _e3954)) + ((((((_e4215 * (1f - _e4216)) + (_e4227 * _e4228)) * _e4231) + (((_e4240 * (1f - _e4241)) + (_e4252 * _e4253)) * _e4174)) * (1f - _e4176)) + (((((_e4265 * (1f - _e4266)) + (_e4277 * _e4278)) * _e4231) + (((_e4289 * (1f - _e4290)) + (_e4301 * _e4302)) * _e4174)) * _e4176)))) * _e3850));
 } else {
-phi_6515_ = u32();
-phi_6518_ = f32();
+phi_6518_ = u32();
+phi_6521_ = f32();
 }
-let _e4317 = phi_6515_;
-let _e4319 = phi_6518_;
+let _e4317 = phi_6518_;
+let _e4319 = phi_6521_;
 continue;
 continuing {
-phi_6514_ = _e4317;
-phi_6517_ = _e4319;
+phi_6517_ = _e4317;
+phi_6520_ = _e4319;
 break if !(_e3843);
 }
 }
-let _e11209 = local_77;
-phi_7233_ = _e11209;
+let _e11375 = local_77;
+phi_7236_ = _e11375;
 }
-let _e4322 = phi_7233_;
+let _e4322 = phi_7236_;
 let _e4323 = (_e4322 + select(_e3355, select(0f, _e3371, (_e3371 > 0f)), _e888));
 let _e4326 = global_1.member.member_13.member;
 let _e4331 = -((_e4326.member * _e4323));
@@ -2179,18 +2192,18 @@ let _e4542 = global_7.member[bitcast<u32>(select(0i, _e4537, (_e4537 > 0i)))];
 let _e4544 = (_e4532 + (_e4528 + 1i));
 let _e4546 = select(_e4535, _e4544, (_e4544 < _e4535));
 let _e4551 = global_7.member[bitcast<u32>(select(0i, _e4546, (_e4546 > 0i)))];
-phi_7594_ = (_e4542 + ((_e4551 - _e4542) * (_e4512 - f32(_e4528))));
+phi_7597_ = (_e4542 + ((_e4551 - _e4542) * (_e4512 - f32(_e4528))));
 } else {
-phi_7594_ = select((_e4490 / (_e4489 * sqrt(select(0f, _e4489, (_e4489 > 0f))))), (0.75f * (1f + (_e4479 * _e4479))), _e4502);
+phi_7597_ = select((_e4490 / (_e4489 * sqrt(select(0f, _e4489, (_e4489 > 0f))))), (0.75f * (1f + (_e4479 * _e4479))), _e4502);
 }
-let _e4558 = phi_7594_;
+let _e4558 = phi_7597_;
 let _e4559 = (0.25f / 3.1415927f);
 let _e4563 = ((3.1415927f * (_e4558 * _e4559)) * (select((_e1684 * ((2f * (1f + _e2230)) / (_e2233 * _e2233))), 1f, _e1685) * _e2506));
 let _e4573 = global_1.member.member_13.member_1;
 let _e4583 = (_e3073 - _e881);
 if _e3385 {
 let _e4918 = global_1.member.member_10.member_1;
-phi_8164_ = type_26(vec3<f32>(_e4918.member, _e4918.member_1, _e4918.member_2), _e3381);
+phi_8167_ = type_27(vec3<f32>(_e4918.member, _e4918.member_1, _e4918.member_2), _e3381);
 } else {
 let _e4588 = (_e3082.x - _e3734.member);
 let _e4590 = (_e3082.y - _e3734.member_1);
@@ -2291,20 +2304,20 @@ let _e4870 = global_3.member[bitcast<u32>(select(0i, _e4865, (_e4865 > 0i)))];
 let _e4877 = (_e4770 + ((_e4798 - _e4770) * _e4742));
 let _e4878 = (_e4778 + ((_e4806 - _e4778) * _e4742));
 let _e4879 = (_e4786 + ((_e4814 - _e4786) * _e4742));
-phi_8148_ = vec3<f32>(((_e4877 + (((_e4826 + ((_e4854 - _e4826) * _e4742)) - _e4877) * _e4744)) * _e4671), ((_e4878 + (((_e4834 + ((_e4862 - _e4834) * _e4742)) - _e4878) * _e4744)) * _e4671), ((_e4879 + (((_e4842 + ((_e4870 - _e4842) * _e4742)) - _e4879) * _e4744)) * _e4671));
+phi_8151_ = vec3<f32>(((_e4877 + (((_e4826 + ((_e4854 - _e4826) * _e4742)) - _e4877) * _e4744)) * _e4671), ((_e4878 + (((_e4834 + ((_e4862 - _e4834) * _e4742)) - _e4878) * _e4744)) * _e4671), ((_e4879 + (((_e4842 + ((_e4870 - _e4842) * _e4742)) - _e4879) * _e4744)) * _e4671));
 } else {
-phi_8148_ = vec3(_e4671);
+phi_8151_ = vec3(_e4671);
 }
-let _e4903 = phi_8148_;
-phi_8151_ = (_e4604 * _e4903);
+let _e4903 = phi_8151_;
+phi_8154_ = (_e4604 * _e4903);
 } else {
-phi_8151_ = _e4604;
+phi_8154_ = _e4604;
 }
-let _e4906 = phi_8151_;
+let _e4906 = phi_8154_;
 let _e4910 = (1f / sqrt(select(0f, _e4599, (_e4599 > 0f))));
-phi_8164_ = type_26(vec3<f32>((_e4588 * _e4910), (_e4590 * _e4910), (_e4592 * _e4910)), _e4906);
+phi_8167_ = type_27(vec3<f32>((_e4588 * _e4910), (_e4590 * _e4910), (_e4592 * _e4910)), _e4906);
 }
-let _e4925 = phi_8164_;
+let _e4925 = phi_8167_;
 let _e4928 = (_e3734.member - _e3082.x);
 let _e4930 = (_e3734.member_1 - _e3082.y);
 let _e4932 = (_e3734.member_2 - _e3082.z);
@@ -2338,14 +2351,14 @@ let _e5008 = (_e5007 > _e5005);
 let _e5009 = select(0f, _e5005, _e5008);
 let _e5011 = (select(0f, _e5007, _e5008) - _e5009);
 if _e2256 {
-phi_9079_ = _e5011;
+phi_9082_ = _e5011;
 } else {
 let _e5013 = (_e5011 / f32(_e2255));
-phi_8360_ = 0u;
-phi_8363_ = 0f;
+phi_8363_ = 0u;
+phi_8366_ = 0f;
 loop {
-let _e5015 = phi_8360_;
-let _e5017 = phi_8363_;
+let _e5015 = phi_8363_;
+let _e5017 = phi_8366_;
 local_78 = _e5017;
 let _e5020 = ((_e5015 < _e2255) && (_e5011 > 0f));
 if _e5020 {
@@ -2397,29 +2410,29 @@ local_17 = (_e5058 - f32(_e5095));
 let _e5132 = (_e5095 + 1i);
 let _e5134 = select(_e5132, 0i, (_e5132 < 0i));
 if (_e5134 >= _e5039) {
-phi_8501_ = (_e5039 - 1i);
+phi_8504_ = (_e5039 - 1i);
 } else {
-phi_8501_ = _e5134;
+phi_8504_ = _e5134;
 }
-let _e5138 = phi_8501_;
+let _e5138 = phi_8504_;
 local_18 = (_e5138 - _e5095);
 let _e5140 = (_e5110 + 1i);
 let _e5142 = select(_e5140, 0i, (_e5140 < 0i));
 if (_e5142 >= _e5043) {
-phi_8514_ = (_e5043 - 1i);
+phi_8517_ = (_e5043 - 1i);
 } else {
-phi_8514_ = _e5142;
+phi_8517_ = _e5142;
 }
-let _e5146 = phi_8514_;
+let _e5146 = phi_8517_;
 let _e5148 = ((_e5146 - _e5110) * _e5039);
 let _e5149 = (_e5125 + 1i);
 let _e5151 = select(_e5149, 0i, (_e5149 < 0i));
 if (_e5151 >= _e5047) {
-phi_8528_ = (_e5047 - 1i);
+phi_8531_ = (_e5047 - 1i);
 } else {
-phi_8528_ = _e5151;
+phi_8531_ = _e5151;
 }
-let _e5155 = phi_8528_;
+let _e5155 = phi_8531_;
 let _e5161 = global_1.member.member_13.member_10;
 let _e5162 = bitcast<i32>(_e5161);
 let _e5167 = ((_e5162 + (((_e5125 * _e5043) + _e5110) * _e5039)) + _e5095);
@@ -2488,29 +2501,29 @@ local_15 = (_e5286 - f32(_e5317));
 let _e5354 = (_e5317 + 1i);
 let _e5356 = select(_e5354, 0i, (_e5354 < 0i));
 if (_e5356 >= _e5039) {
-phi_8847_ = (_e5039 - 1i);
+phi_8850_ = (_e5039 - 1i);
 } else {
-phi_8847_ = _e5356;
+phi_8850_ = _e5356;
 }
-let _e5360 = phi_8847_;
+let _e5360 = phi_8850_;
 local_16 = (_e5360 - _e5317);
 let _e5362 = (_e5332 + 1i);
 let _e5364 = select(_e5362, 0i, (_e5362 < 0i));
 if (_e5364 >= _e5043) {
-phi_8860_ = (_e5043 - 1i);
+phi_8863_ = (_e5043 - 1i);
 } else {
-phi_8860_ = _e5364;
+phi_8863_ = _e5364;
 }
-let _e5368 = phi_8860_;
+let _e5368 = phi_8863_;
 let _e5370 = ((_e5368 - _e5332) * _e5039);
 let _e5371 = (_e5347 + 1i);
 let _e5373 = select(_e5371, 0i, (_e5371 < 0i));
 if (_e5373 >= _e5047) {
-phi_8874_ = (_e5047 - 1i);
+phi_8877_ = (_e5047 - 1i);
 } else {
-phi_8874_ = _e5373;
+phi_8877_ = _e5373;
 }
-let _e5377 = phi_8874_;
+let _e5377 = phi_8877_;
 let _e5385 = ((_e5162 + (((_e5347 * _e5043) + _e5332) * _e5039)) + _e5317);
 let _e5387 = select(_e5169, _e5385, (_e5385 < _e5169));
 let _e5392 = global_7.member[bitcast<u32>(select(0i, _e5387, (_e5387 > 0i)))];
@@ -2548,25 +2561,25 @@ let _e5471 = (_e5459 + _e5470);
 let _e5473 = select(_e5169, _e5471, (_e5471 < _e5169));
 let _e5478 = global_7.member[bitcast<u32>(select(0i, _e5473, (_e5473 > 0i)))];
 let _e5479 = local_15;
-phi_8361_ = (_e5015 + 1u);
-phi_8364_ = (_e5017 + ((0.5f * (((((((_e5176 * (1f - _e5177)) + (_e5188 * _e5189)) * _e5192) + (((_e5201 * (1f - _e5202)) + (_e5213 * _e5214)) * _e5129)) * (1f - _e5131)) + (((((_e5226 * (1f - _e5227)) + (_e5238 * _e5239)) * _e5192) + (((_e5250 * (1f - _e5251)) + (_e5262 * _e5263)) * _e5129)) * _e5131)) + ((((((_e5392 * (1f - _e5393)) + (_e5404 * _e5405)) * _e5408) + (((_e5417 * (1f - _e5418)) + (_e5429 * _e5430)) * _e5351)) * (1f - _e5353)) + (((((_e5442 * (1f - _e5443)) + (_e5454 * _e5455)) * _e5408) + (((_e5466 * (1f - _e5467)) + (_e5478 * _e5479)) * _e5351)) * _e5353)))) * _e5027));
+phi_8364_ = (_e5015 + 1u);
+phi_8367_ = (_e5017 + ((0.5f * (((((((_e5176 * (1f - _e5177)) + (_e5188 * _e5189)) * _e5192) + (((_e5201 * (1f - _e5202)) + (_e5213 * _e5214)) * _e5129)) * (1f - _e5131)) + (((((_e5226 * (1f - _e5227)) + (_e5238 * _e5239)) * _e5192) + (((_e5250 * (1f - _e5251)) + (_e5262 * _e5263)) * _e5129)) * _e5131)) + ((((((_e5392 * (1f - _e5393)) + (_e5404 * _e5405)) * _e5408) + (((_e5417 * (1f - _e5418)) + (_e5429 * _e5430)) * _e5351)) * (1f - _e5353)) + (((((_e5442 * (1f - _e5443)) + (_e5454 * _e5455)) * _e5408) + (((_e5466 * (1f - _e5467)) + (_e5478 * _e5479)) * _e5351)) * _e5353)))) * _e5027));
 } else {
-phi_8361_ = u32();
-phi_8364_ = f32();
+phi_8364_ = u32();
+phi_8367_ = f32();
 }
-let _e5494 = phi_8361_;
-let _e5496 = phi_8364_;
+let _e5494 = phi_8364_;
+let _e5496 = phi_8367_;
 continue;
 continuing {
-phi_8360_ = _e5494;
-phi_8363_ = _e5496;
+phi_8363_ = _e5494;
+phi_8366_ = _e5496;
 break if !(_e5020);
 }
 }
-let _e11226 = local_78;
-phi_9079_ = _e11226;
+let _e11392 = local_78;
+phi_9082_ = _e11392;
 }
-let _e5499 = phi_9079_;
+let _e5499 = phi_9082_;
 let _e5500 = (_e5499 + select(_e3370, select(0f, _e4583, (_e4583 > 0f)), _e888));
 let _e5502 = -((_e4326.member * _e5500));
 let _e5504 = select(-87f, _e5502, (_e5502 > -87f));
@@ -2619,16 +2632,16 @@ let _e5701 = global_7.member[bitcast<u32>(select(0i, _e5696, (_e5696 > 0i)))];
 let _e5703 = (_e5691 + (_e5687 + 1i));
 let _e5705 = select(_e5694, _e5703, (_e5703 < _e5694));
 let _e5710 = global_7.member[bitcast<u32>(select(0i, _e5705, (_e5705 > 0i)))];
-phi_9440_ = (_e5701 + ((_e5710 - _e5701) * (_e5671 - f32(_e5687))));
+phi_9443_ = (_e5701 + ((_e5710 - _e5701) * (_e5671 - f32(_e5687))));
 } else {
-phi_9440_ = select((_e4490 / (_e5654 * sqrt(select(0f, _e5654, (_e5654 > 0f))))), (0.75f * (1f + (_e5650 * _e5650))), _e4502);
+phi_9443_ = select((_e4490 / (_e5654 * sqrt(select(0f, _e5654, (_e5654 > 0f))))), (0.75f * (1f + (_e5650 * _e5650))), _e4502);
 }
-let _e5717 = phi_9440_;
+let _e5717 = phi_9443_;
 let _e5721 = ((3.1415927f * (_e5717 * _e4559)) * (select((_e1684 * ((2f * (1f + _e3060)) / (_e3063 * _e3063))), 1f, _e1685) * _e3332));
 let _e5738 = (_e2523 - _e881);
 if _e3385 {
 let _e6073 = global_1.member.member_10.member_1;
-phi_10013_ = type_26(vec3<f32>(_e6073.member, _e6073.member_1, _e6073.member_2), _e3381);
+phi_10016_ = type_27(vec3<f32>(_e6073.member, _e6073.member_1, _e6073.member_2), _e3381);
 } else {
 let _e5743 = (_e2532.x - _e3734.member);
 let _e5745 = (_e2532.y - _e3734.member_1);
@@ -2729,20 +2742,20 @@ let _e6025 = global_3.member[bitcast<u32>(select(0i, _e6020, (_e6020 > 0i)))];
 let _e6032 = (_e5925 + ((_e5953 - _e5925) * _e5897));
 let _e6033 = (_e5933 + ((_e5961 - _e5933) * _e5897));
 let _e6034 = (_e5941 + ((_e5969 - _e5941) * _e5897));
-phi_9997_ = vec3<f32>(((_e6032 + (((_e5981 + ((_e6009 - _e5981) * _e5897)) - _e6032) * _e5899)) * _e5826), ((_e6033 + (((_e5989 + ((_e6017 - _e5989) * _e5897)) - _e6033) * _e5899)) * _e5826), ((_e6034 + (((_e5997 + ((_e6025 - _e5997) * _e5897)) - _e6034) * _e5899)) * _e5826));
+phi_10000_ = vec3<f32>(((_e6032 + (((_e5981 + ((_e6009 - _e5981) * _e5897)) - _e6032) * _e5899)) * _e5826), ((_e6033 + (((_e5989 + ((_e6017 - _e5989) * _e5897)) - _e6033) * _e5899)) * _e5826), ((_e6034 + (((_e5997 + ((_e6025 - _e5997) * _e5897)) - _e6034) * _e5899)) * _e5826));
 } else {
-phi_9997_ = vec3(_e5826);
+phi_10000_ = vec3(_e5826);
 }
-let _e6058 = phi_9997_;
-phi_10000_ = (_e5759 * _e6058);
+let _e6058 = phi_10000_;
+phi_10003_ = (_e5759 * _e6058);
 } else {
-phi_10000_ = _e5759;
+phi_10003_ = _e5759;
 }
-let _e6061 = phi_10000_;
+let _e6061 = phi_10003_;
 let _e6065 = (1f / sqrt(select(0f, _e5754, (_e5754 > 0f))));
-phi_10013_ = type_26(vec3<f32>((_e5743 * _e6065), (_e5745 * _e6065), (_e5747 * _e6065)), _e6061);
+phi_10016_ = type_27(vec3<f32>((_e5743 * _e6065), (_e5745 * _e6065), (_e5747 * _e6065)), _e6061);
 }
-let _e6080 = phi_10013_;
+let _e6080 = phi_10016_;
 let _e6083 = (_e3734.member - _e2532.x);
 let _e6085 = (_e3734.member_1 - _e2532.y);
 let _e6087 = (_e3734.member_2 - _e2532.z);
@@ -2776,14 +2789,14 @@ let _e6163 = (_e6162 > _e6160);
 let _e6164 = select(0f, _e6160, _e6163);
 let _e6166 = (select(0f, _e6162, _e6163) - _e6164);
 if _e2256 {
-phi_10928_ = _e6166;
+phi_10931_ = _e6166;
 } else {
 let _e6168 = (_e6166 / f32(_e2255));
-phi_10209_ = 0u;
-phi_10212_ = 0f;
+phi_10212_ = 0u;
+phi_10215_ = 0f;
 loop {
-let _e6170 = phi_10209_;
-let _e6172 = phi_10212_;
+let _e6170 = phi_10212_;
+let _e6172 = phi_10215_;
 local_79 = _e6172;
 let _e6175 = ((_e6170 < _e2255) && (_e6166 > 0f));
 if _e6175 {
@@ -2835,29 +2848,29 @@ local_12 = (_e6213 - f32(_e6250));
 let _e6287 = (_e6250 + 1i);
 let _e6289 = select(_e6287, 0i, (_e6287 < 0i));
 if (_e6289 >= _e6194) {
-phi_10350_ = (_e6194 - 1i);
+phi_10353_ = (_e6194 - 1i);
 } else {
-phi_10350_ = _e6289;
+phi_10353_ = _e6289;
 }
-let _e6293 = phi_10350_;
+let _e6293 = phi_10353_;
 local_13 = (_e6293 - _e6250);
 let _e6295 = (_e6265 + 1i);
 let _e6297 = select(_e6295, 0i, (_e6295 < 0i));
 if (_e6297 >= _e6198) {
-phi_10363_ = (_e6198 - 1i);
+phi_10366_ = (_e6198 - 1i);
 } else {
-phi_10363_ = _e6297;
+phi_10366_ = _e6297;
 }
-let _e6301 = phi_10363_;
+let _e6301 = phi_10366_;
 let _e6303 = ((_e6301 - _e6265) * _e6194);
 let _e6304 = (_e6280 + 1i);
 let _e6306 = select(_e6304, 0i, (_e6304 < 0i));
 if (_e6306 >= _e6202) {
-phi_10377_ = (_e6202 - 1i);
+phi_10380_ = (_e6202 - 1i);
 } else {
-phi_10377_ = _e6306;
+phi_10380_ = _e6306;
 }
-let _e6310 = phi_10377_;
+let _e6310 = phi_10380_;
 let _e6316 = global_1.member.member_13.member_10;
 let _e6317 = bitcast<i32>(_e6316);
 let _e6322 = ((_e6317 + (((_e6280 * _e6198) + _e6265) * _e6194)) + _e6250);
@@ -2926,29 +2939,29 @@ local_10 = (_e6441 - f32(_e6472));
 let _e6509 = (_e6472 + 1i);
 let _e6511 = select(_e6509, 0i, (_e6509 < 0i));
 if (_e6511 >= _e6194) {
-phi_10696_ = (_e6194 - 1i);
+phi_10699_ = (_e6194 - 1i);
 } else {
-phi_10696_ = _e6511;
+phi_10699_ = _e6511;
 }
-let _e6515 = phi_10696_;
+let _e6515 = phi_10699_;
 local_11 = (_e6515 - _e6472);
 let _e6517 = (_e6487 + 1i);
 let _e6519 = select(_e6517, 0i, (_e6517 < 0i));
 if (_e6519 >= _e6198) {
-phi_10709_ = (_e6198 - 1i);
+phi_10712_ = (_e6198 - 1i);
 } else {
-phi_10709_ = _e6519;
+phi_10712_ = _e6519;
 }
-let _e6523 = phi_10709_;
+let _e6523 = phi_10712_;
 let _e6525 = ((_e6523 - _e6487) * _e6194);
 let _e6526 = (_e6502 + 1i);
 let _e6528 = select(_e6526, 0i, (_e6526 < 0i));
 if (_e6528 >= _e6202) {
-phi_10723_ = (_e6202 - 1i);
+phi_10726_ = (_e6202 - 1i);
 } else {
-phi_10723_ = _e6528;
+phi_10726_ = _e6528;
 }
-let _e6532 = phi_10723_;
+let _e6532 = phi_10726_;
 let _e6540 = ((_e6317 + (((_e6502 * _e6198) + _e6487) * _e6194)) + _e6472);
 let _e6542 = select(_e6324, _e6540, (_e6540 < _e6324));
 let _e6547 = global_7.member[bitcast<u32>(select(0i, _e6542, (_e6542 > 0i)))];
@@ -2986,25 +2999,25 @@ let _e6626 = (_e6614 + _e6625);
 let _e6628 = select(_e6324, _e6626, (_e6626 < _e6324));
 let _e6633 = global_7.member[bitcast<u32>(select(0i, _e6628, (_e6628 > 0i)))];
 let _e6634 = local_10;
-phi_10210_ = (_e6170 + 1u);
-phi_10213_ = (_e6172 + ((0.5f * (((((((_e6331 * (1f - _e6332)) + (_e6343 * _e6344)) * _e6347) + (((_e6356 * (1f - _e6357)) + (_e6368 * _e6369)) * _e6284)) * (1f - _e6286)) + (((((_e6381 * (1f - _e6382)) + (_e6393 * _e6394)) * _e6347) + (((_e6405 * (1f - _e6406)) + (_e6417 * _e6418)) * _e6284)) * _e6286)) + ((((((_e6547 * (1f - _e6548)) + (_e6559 * _e6560)) * _e6563) + (((_e6572 * (1f - _e6573)) + (_e6584 * _e6585)) * _e6506)) * (1f - _e6508)) + (((((_e6597 * (1f - _e6598)) + (_e6609 * _e6610)) * _e6563) + (((_e6621 * (1f - _e6622)) + (_e6633 * _e6634)) * _e6506)) * _e6508)))) * _e6182));
+phi_10213_ = (_e6170 + 1u);
+phi_10216_ = (_e6172 + ((0.5f * (((((((_e6331 * (1f - _e6332)) + (_e6343 * _e6344)) * _e6347) + (((_e6356 * (1f - _e6357)) + (_e6368 * _e6369)) * _e6284)) * (1f - _e6286)) + (((((_e6381 * (1f - _e6382)) + (_e6393 * _e6394)) * _e6347) + (((_e6405 * (1f - _e6406)) + (_e6417 * _e6418)) * _e6284)) * _e6286)) + ((((((_e6547 * (1f - _e6548)) + (_e6559 * _e6560)) * _e6563) + (((_e6572 * (1f - _e6573)) + (_e6584 * _e6585)) * _e6506)) * (1f - _e6508)) + (((((_e6597 * (1f - _e6598)) + (_e6609 * _e6610)) * _e6563) + (((_e6621 * (1f - _e6622)) + (_e6633 * _e6634)) * _e6506)) * _e6508)))) * _e6182));
 } else {
-phi_10210_ = u32();
-phi_10213_ = f32();
+phi_10213_ = u32();
+phi_10216_ = f32();
 }
-let _e6649 = phi_10210_;
-let _e6651 = phi_10213_;
+let _e6649 = phi_10213_;
+let _e6651 = phi_10216_;
 continue;
 continuing {
-phi_10209_ = _e6649;
-phi_10212_ = _e6651;
+phi_10212_ = _e6649;
+phi_10215_ = _e6651;
 break if !(_e6175);
 }
 }
-let _e11243 = local_79;
-phi_10928_ = _e11243;
+let _e11409 = local_79;
+phi_10931_ = _e11409;
 }
-let _e6654 = phi_10928_;
+let _e6654 = phi_10931_;
 let _e6655 = (_e6654 + select(_e3360, select(0f, _e5738, (_e5738 > 0f)), _e888));
 let _e6657 = -((_e4326.member * _e6655));
 let _e6659 = select(-87f, _e6657, (_e6657 > -87f));
@@ -3057,16 +3070,16 @@ let _e6856 = global_7.member[bitcast<u32>(select(0i, _e6851, (_e6851 > 0i)))];
 let _e6858 = (_e6846 + (_e6842 + 1i));
 let _e6860 = select(_e6849, _e6858, (_e6858 < _e6849));
 let _e6865 = global_7.member[bitcast<u32>(select(0i, _e6860, (_e6860 > 0i)))];
-phi_11289_ = (_e6856 + ((_e6865 - _e6856) * (_e6826 - f32(_e6842))));
+phi_11292_ = (_e6856 + ((_e6865 - _e6856) * (_e6826 - f32(_e6842))));
 } else {
-phi_11289_ = select((_e4490 / (_e6809 * sqrt(select(0f, _e6809, (_e6809 > 0f))))), (0.75f * (1f + (_e6805 * _e6805))), _e4502);
+phi_11292_ = select((_e4490 / (_e6809 * sqrt(select(0f, _e6809, (_e6809 > 0f))))), (0.75f * (1f + (_e6805 * _e6805))), _e4502);
 }
-let _e6872 = phi_11289_;
+let _e6872 = phi_11292_;
 let _e6876 = ((3.1415927f * (_e6872 * _e4559)) * (select((_e1684 * ((2f * (1f + _e2510)) / (_e2513 * _e2513))), 1f, _e1685) * _e2782));
 let _e6890 = (_e2798 - _e881);
 if _e3385 {
 let _e7225 = global_1.member.member_10.member_1;
-phi_11859_ = type_26(vec3<f32>(_e7225.member, _e7225.member_1, _e7225.member_2), _e3381);
+phi_11862_ = type_27(vec3<f32>(_e7225.member, _e7225.member_1, _e7225.member_2), _e3381);
 } else {
 let _e6895 = (_e2807.x - _e3734.member);
 let _e6897 = (_e2807.y - _e3734.member_1);
@@ -3167,20 +3180,20 @@ let _e7177 = global_3.member[bitcast<u32>(select(0i, _e7172, (_e7172 > 0i)))];
 let _e7184 = (_e7077 + ((_e7105 - _e7077) * _e7049));
 let _e7185 = (_e7085 + ((_e7113 - _e7085) * _e7049));
 let _e7186 = (_e7093 + ((_e7121 - _e7093) * _e7049));
-phi_11843_ = vec3<f32>(((_e7184 + (((_e7133 + ((_e7161 - _e7133) * _e7049)) - _e7184) * _e7051)) * _e6978), ((_e7185 + (((_e7141 + ((_e7169 - _e7141) * _e7049)) - _e7185) * _e7051)) * _e6978), ((_e7186 + (((_e7149 + ((_e7177 - _e7149) * _e7049)) - _e7186) * _e7051)) * _e6978));
+phi_11846_ = vec3<f32>(((_e7184 + (((_e7133 + ((_e7161 - _e7133) * _e7049)) - _e7184) * _e7051)) * _e6978), ((_e7185 + (((_e7141 + ((_e7169 - _e7141) * _e7049)) - _e7185) * _e7051)) * _e6978), ((_e7186 + (((_e7149 + ((_e7177 - _e7149) * _e7049)) - _e7186) * _e7051)) * _e6978));
 } else {
-phi_11843_ = vec3(_e6978);
+phi_11846_ = vec3(_e6978);
 }
-let _e7210 = phi_11843_;
-phi_11846_ = (_e6911 * _e7210);
+let _e7210 = phi_11846_;
+phi_11849_ = (_e6911 * _e7210);
 } else {
-phi_11846_ = _e6911;
+phi_11849_ = _e6911;
 }
-let _e7213 = phi_11846_;
+let _e7213 = phi_11849_;
 let _e7217 = (1f / sqrt(select(0f, _e6906, (_e6906 > 0f))));
-phi_11859_ = type_26(vec3<f32>((_e6895 * _e7217), (_e6897 * _e7217), (_e6899 * _e7217)), _e7213);
+phi_11862_ = type_27(vec3<f32>((_e6895 * _e7217), (_e6897 * _e7217), (_e6899 * _e7217)), _e7213);
 }
-let _e7232 = phi_11859_;
+let _e7232 = phi_11862_;
 let _e7235 = (_e3734.member - _e2807.x);
 let _e7237 = (_e3734.member_1 - _e2807.y);
 let _e7239 = (_e3734.member_2 - _e2807.z);
@@ -3214,14 +3227,14 @@ let _e7315 = (_e7314 > _e7312);
 let _e7316 = select(0f, _e7312, _e7315);
 let _e7318 = (select(0f, _e7314, _e7315) - _e7316);
 if _e2256 {
-phi_12774_ = _e7318;
+phi_12777_ = _e7318;
 } else {
 let _e7320 = (_e7318 / f32(_e2255));
-phi_12055_ = 0u;
-phi_12058_ = 0f;
+phi_12058_ = 0u;
+phi_12061_ = 0f;
 loop {
-let _e7322 = phi_12055_;
-let _e7324 = phi_12058_;
+let _e7322 = phi_12058_;
+let _e7324 = phi_12061_;
 local_80 = _e7324;
 let _e7327 = ((_e7322 < _e2255) && (_e7318 > 0f));
 if _e7327 {
@@ -3273,29 +3286,29 @@ local_7 = (_e7365 - f32(_e7402));
 let _e7439 = (_e7402 + 1i);
 let _e7441 = select(_e7439, 0i, (_e7439 < 0i));
 if (_e7441 >= _e7346) {
-phi_12196_ = (_e7346 - 1i);
+phi_12199_ = (_e7346 - 1i);
 } else {
-phi_12196_ = _e7441;
+phi_12199_ = _e7441;
 }
-let _e7445 = phi_12196_;
+let _e7445 = phi_12199_;
 local_8 = (_e7445 - _e7402);
 let _e7447 = (_e7417 + 1i);
 let _e7449 = select(_e7447, 0i, (_e7447 < 0i));
 if (_e7449 >= _e7350) {
-phi_12209_ = (_e7350 - 1i);
+phi_12212_ = (_e7350 - 1i);
 } else {
-phi_12209_ = _e7449;
+phi_12212_ = _e7449;
 }
-let _e7453 = phi_12209_;
+let _e7453 = phi_12212_;
 let _e7455 = ((_e7453 - _e7417) * _e7346);
 let _e7456 = (_e7432 + 1i);
 let _e7458 = select(_e7456, 0i, (_e7456 < 0i));
 if (_e7458 >= _e7354) {
-phi_12223_ = (_e7354 - 1i);
+phi_12226_ = (_e7354 - 1i);
 } else {
-phi_12223_ = _e7458;
+phi_12226_ = _e7458;
 }
-let _e7462 = phi_12223_;
+let _e7462 = phi_12226_;
 let _e7468 = global_1.member.member_13.member_10;
 let _e7469 = bitcast<i32>(_e7468);
 let _e7474 = ((_e7469 + (((_e7432 * _e7350) + _e7417) * _e7346)) + _e7402);
@@ -3364,29 +3377,29 @@ local_5 = (_e7593 - f32(_e7624));
 let _e7661 = (_e7624 + 1i);
 let _e7663 = select(_e7661, 0i, (_e7661 < 0i));
 if (_e7663 >= _e7346) {
-phi_12542_ = (_e7346 - 1i);
+phi_12545_ = (_e7346 - 1i);
 } else {
-phi_12542_ = _e7663;
+phi_12545_ = _e7663;
 }
-let _e7667 = phi_12542_;
+let _e7667 = phi_12545_;
 local_6 = (_e7667 - _e7624);
 let _e7669 = (_e7639 + 1i);
 let _e7671 = select(_e7669, 0i, (_e7669 < 0i));
 if (_e7671 >= _e7350) {
-phi_12555_ = (_e7350 - 1i);
+phi_12558_ = (_e7350 - 1i);
 } else {
-phi_12555_ = _e7671;
+phi_12558_ = _e7671;
 }
-let _e7675 = phi_12555_;
+let _e7675 = phi_12558_;
 let _e7677 = ((_e7675 - _e7639) * _e7346);
 let _e7678 = (_e7654 + 1i);
 let _e7680 = select(_e7678, 0i, (_e7678 < 0i));
 if (_e7680 >= _e7354) {
-phi_12569_ = (_e7354 - 1i);
+phi_12572_ = (_e7354 - 1i);
 } else {
-phi_12569_ = _e7680;
+phi_12572_ = _e7680;
 }
-let _e7684 = phi_12569_;
+let _e7684 = phi_12572_;
 let _e7692 = ((_e7469 + (((_e7654 * _e7350) + _e7639) * _e7346)) + _e7624);
 let _e7694 = select(_e7476, _e7692, (_e7692 < _e7476));
 let _e7699 = global_7.member[bitcast<u32>(select(0i, _e7694, (_e7694 > 0i)))];
@@ -3424,25 +3437,25 @@ let _e7778 = (_e7766 + _e7777);
 let _e7780 = select(_e7476, _e7778, (_e7778 < _e7476));
 let _e7785 = global_7.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
 let _e7786 = local_5;
-phi_12056_ = (_e7322 + 1u);
-phi_12059_ = (_e7324 + ((0.5f * (((((((_e7483 * (1f - _e7484)) + (_e7495 * _e7496)) * _e7499) + (((_e7508 * (1f - _e7509)) + (_e7520 * _e7521)) * _e7436)) * (1f - _e7438)) + (((((_e7533 * (1f - _e7534)) + (_e7545 * _e7546)) * _e7499) + (((_e7557 * (1f - _e7558)) + (_e7569 * _e7570)) * _e7436)) * _e7438)) + ((((((_e7699 * (1f - _e7700)) + (_e7711 * _e7712)) * _e7715) + (((_e7724 * (1f - _e7725)) + (_e7736 * _e7737)) * _e7658)) * (1f - _e7660)) + (((((_e7749 * (1f - _e7750)) + (_e7761 * _e7762)) * _e7715) + (((_e7773 * (1f - _e7774)) + (_e7785 * _e7786)) * _e7658)) * _e7660)))) * _e7334));
+phi_12059_ = (_e7322 + 1u);
+phi_12062_ = (_e7324 + ((0.5f * (((((((_e7483 * (1f - _e7484)) + (_e7495 * _e7496)) * _e7499) + (((_e7508 * (1f - _e7509)) + (_e7520 * _e7521)) * _e7436)) * (1f - _e7438)) + (((((_e7533 * (1f - _e7534)) + (_e7545 * _e7546)) * _e7499) + (((_e7557 * (1f - _e7558)) + (_e7569 * _e7570)) * _e7436)) * _e7438)) + ((((((_e7699 * (1f - _e7700)) + (_e7711 * _e7712)) * _e7715) + (((_e7724 * (1f - _e7725)) + (_e7736 * _e7737)) * _e7658)) * (1f - _e7660)) + (((((_e7749 * (1f - _e7750)) + (_e7761 * _e7762)) * _e7715) + (((_e7773 * (1f - _e7774)) + (_e7785 * _e7786)) * _e7658)) * _e7660)))) * _e7334));
 } else {
-phi_12056_ = u32();
-phi_12059_ = f32();
+phi_12059_ = u32();
+phi_12062_ = f32();
 }
-let _e7801 = phi_12056_;
-let _e7803 = phi_12059_;
+let _e7801 = phi_12059_;
+let _e7803 = phi_12062_;
 continue;
 continuing {
-phi_12055_ = _e7801;
-phi_12058_ = _e7803;
+phi_12058_ = _e7801;
+phi_12061_ = _e7803;
 break if !(_e7327);
 }
 }
-let _e11260 = local_80;
-phi_12774_ = _e11260;
+let _e11426 = local_80;
+phi_12777_ = _e11426;
 }
-let _e7806 = phi_12774_;
+let _e7806 = phi_12777_;
 let _e7807 = (_e7806 + select(_e3365, select(0f, _e6890, (_e6890 > 0f)), _e888));
 let _e7809 = -((_e4326.member * _e7807));
 let _e7811 = select(-87f, _e7809, (_e7809 > -87f));
@@ -3495,44 +3508,44 @@ let _e8008 = global_7.member[bitcast<u32>(select(0i, _e8003, (_e8003 > 0i)))];
 let _e8010 = (_e7998 + (_e7994 + 1i));
 let _e8012 = select(_e8001, _e8010, (_e8010 < _e8001));
 let _e8017 = global_7.member[bitcast<u32>(select(0i, _e8012, (_e8012 > 0i)))];
-phi_13135_ = (_e8008 + ((_e8017 - _e8008) * (_e7978 - f32(_e7994))));
+phi_13138_ = (_e8008 + ((_e8017 - _e8008) * (_e7978 - f32(_e7994))));
 } else {
-phi_13135_ = select((_e4490 / (_e7961 * sqrt(select(0f, _e7961, (_e7961 > 0f))))), (0.75f * (1f + (_e7957 * _e7957))), _e4502);
+phi_13138_ = select((_e4490 / (_e7961 * sqrt(select(0f, _e7961, (_e7961 > 0f))))), (0.75f * (1f + (_e7957 * _e7957))), _e4502);
 }
-let _e8024 = phi_13135_;
+let _e8024 = phi_13138_;
 let _e8028 = ((3.1415927f * (_e8024 * _e4559)) * (select((_e1684 * ((2f * (1f + _e2785)) / (_e2788 * _e2788))), 1f, _e1685) * _e3057));
 let _e8045 = (_e1714 * 0.34785485f);
 let _e8055 = (_e1714 * 0.65214515f);
-phi_4138_ = vec3<f32>(((_e2216.x + (((((_e3730.member_1.x * ((1f + (_e4357 * (1f + (_e4357 * (0.5f + (_e4357 * (0.16666667f + (_e4357 * (0.041666668f + (_e4357 * (0.008333334f + (_e4357 * (0.001388889f + (_e4357 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4352 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e4563) + (((_e4925.member_1.x * ((1f + (_e5528 * (1f + (_e5528 * (0.5f + (_e5528 * (0.16666667f + (_e5528 * (0.041666668f + (_e5528 * (0.008333334f + (_e5528 * (0.001388889f + (_e5528 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5523 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e5721)) * _e8045)) + (((((_e6080.member_1.x * ((1f + (_e6683 * (1f + (_e6683 * (0.5f + (_e6683 * (0.16666667f + (_e6683 * (0.041666668f + (_e6683 * (0.008333334f + (_e6683 * (0.001388889f + (_e6683 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6678 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e6876) + (((_e7232.member_1.x * ((1f + (_e7835 * (1f + (_e7835 * (0.5f + (_e7835 * (0.16666667f + (_e7835 * (0.041666668f + (_e7835 * (0.008333334f + (_e7835 * (0.001388889f + (_e7835 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7830 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e8028)) * _e8055)), ((_e2216.y + (((((_e3730.member_1.y * ((1f + (_e4405 * (1f + (_e4405 * (0.5f + (_e4405 * (0.16666667f + (_e4405 * (0.041666668f + (_e4405 * (0.008333334f + (_e4405 * (0.001388889f + (_e4405 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4400 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e4563) + (((_e4925.member_1.y * ((1f + (_e5576 * (1f + (_e5576 * (0.5f + (_e5576 * (0.16666667f + (_e5576 * (0.041666668f + (_e5576 * (0.008333334f + (_e5576 * (0.001388889f + (_e5576 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5571 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e5721)) * _e8045)) + (((((_e6080.member_1.y * ((1f + (_e6731 * (1f + (_e6731 * (0.5f + (_e6731 * (0.16666667f + (_e6731 * (0.041666668f + (_e6731 * (0.008333334f + (_e6731 * (0.001388889f + (_e6731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6726 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e6876) + (((_e7232.member_1.y * ((1f + (_e7883 * (1f + (_e7883 * (0.5f + (_e7883 * (0.16666667f + (_e7883 * (0.041666668f + (_e7883 * (0.008333334f + (_e7883 * (0.001388889f + (_e7883 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7878 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e8028)) * _e8055)), ((_e2216.z + (((((_e3730.member_1.z * ((1f + (_e4453 * (1f + (_e4453 * (0.5f + (_e4453 * (0.16666667f + (_e4453 * (0.041666668f + (_e4453 * (0.008333334f + (_e4453 * (0.001388889f + (_e4453 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4448 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e4563) + (((_e4925.member_1.z * ((1f + (_e5624 * (1f + (_e5624 * (0.5f + (_e5624 * (0.16666667f + (_e5624 * (0.041666668f + (_e5624 * (0.008333334f + (_e5624 * (0.001388889f + (_e5624 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5619 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e5721)) * _e8045)) + (((((_e6080.member_1.z * ((1f + (_e6779 * (1f + (_e6779 * (0.5f + (_e6779 * (0.16666667f + (_e6779 * (0.041666668f + (_e6779 * (0.008333334f + (_e6779 * (0.001388889f + (_e6779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6774 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e6876) + (((_e7232.member_1.z * ((1f + (_e7931 * (1f + (_e7931 * (0.5f + (_e7931 * (0.16666667f + (_e7931 * (0.041666668f + (_e7931 * (0.008333334f + (_e7931 * (0.001388889f + (_e7931 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7926 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e8028)) * _e8055)));
-phi_4141_ = (_e2218 + 1i);
-phi_4143_ = (_e3370 + (_e3332 * (select((_e1668 + (_e1684 * ((2f * _e3343) / select(1e-9f, _e3345, (_e3345 > 1e-9f))))), _e3343, _e1685) - _e3073)));
+phi_4141_ = vec3<f32>(((_e2216.x + (((((_e3730.member_1.x * ((1f + (_e4357 * (1f + (_e4357 * (0.5f + (_e4357 * (0.16666667f + (_e4357 * (0.041666668f + (_e4357 * (0.008333334f + (_e4357 * (0.001388889f + (_e4357 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4352 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e4563) + (((_e4925.member_1.x * ((1f + (_e5528 * (1f + (_e5528 * (0.5f + (_e5528 * (0.16666667f + (_e5528 * (0.041666668f + (_e5528 * (0.008333334f + (_e5528 * (0.001388889f + (_e5528 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5523 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e5721)) * _e8045)) + (((((_e6080.member_1.x * ((1f + (_e6683 * (1f + (_e6683 * (0.5f + (_e6683 * (0.16666667f + (_e6683 * (0.041666668f + (_e6683 * (0.008333334f + (_e6683 * (0.001388889f + (_e6683 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6678 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e6876) + (((_e7232.member_1.x * ((1f + (_e7835 * (1f + (_e7835 * (0.5f + (_e7835 * (0.16666667f + (_e7835 * (0.041666668f + (_e7835 * (0.008333334f + (_e7835 * (0.001388889f + (_e7835 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7830 + 127i)) << bitcast<u32>(23i))))) * _e4573.member) * _e8028)) * _e8055)), ((_e2216.y + (((((_e3730.member_1.y * ((1f + (_e4405 * (1f + (_e4405 * (0.5f + (_e4405 * (0.16666667f + (_e4405 * (0.041666668f + (_e4405 * (0.008333334f + (_e4405 * (0.001388889f + (_e4405 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4400 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e4563) + (((_e4925.member_1.y * ((1f + (_e5576 * (1f + (_e5576 * (0.5f + (_e5576 * (0.16666667f + (_e5576 * (0.041666668f + (_e5576 * (0.008333334f + (_e5576 * (0.001388889f + (_e5576 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5571 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e5721)) * _e8045)) + (((((_e6080.member_1.y * ((1f + (_e6731 * (1f + (_e6731 * (0.5f + (_e6731 * (0.16666667f + (_e6731 * (0.041666668f + (_e6731 * (0.008333334f + (_e6731 * (0.001388889f + (_e6731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6726 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e6876) + (((_e7232.member_1.y * ((1f + (_e7883 * (1f + (_e7883 * (0.5f + (_e7883 * (0.16666667f + (_e7883 * (0.041666668f + (_e7883 * (0.008333334f + (_e7883 * (0.001388889f + (_e7883 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7878 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_1) * _e8028)) * _e8055)), ((_e2216.z + (((((_e3730.member_1.z * ((1f + (_e4453 * (1f + (_e4453 * (0.5f + (_e4453 * (0.16666667f + (_e4453 * (0.041666668f + (_e4453 * (0.008333334f + (_e4453 * (0.001388889f + (_e4453 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4448 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e4563) + (((_e4925.member_1.z * ((1f + (_e5624 * (1f + (_e5624 * (0.5f + (_e5624 * (0.16666667f + (_e5624 * (0.041666668f + (_e5624 * (0.008333334f + (_e5624 * (0.001388889f + (_e5624 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5619 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e5721)) * _e8045)) + (((((_e6080.member_1.z * ((1f + (_e6779 * (1f + (_e6779 * (0.5f + (_e6779 * (0.16666667f + (_e6779 * (0.041666668f + (_e6779 * (0.008333334f + (_e6779 * (0.001388889f + (_e6779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6774 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e6876) + (((_e7232.member_1.z * ((1f + (_e7931 * (1f + (_e7931 * (0.5f + (_e7931 * (0.16666667f + (_e7931 * (0.041666668f + (_e7931 * (0.008333334f + (_e7931 * (0.001388889f + (_e7931 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e7926 + 127i)) << bitcast<u32>(23i))))) * _e4573.member_2) * _e8028)) * _e8055)));
+phi_4144_ = (_e2218 + 1i);
+phi_4146_ = (_e3370 + (_e3332 * (select((_e1668 + (_e1684 * ((2f * _e3343) / select(1e-9f, _e3345, (_e3345 > 1e-9f))))), _e3343, _e1685) - _e3073)));
 } else {
-phi_4138_ = vec3<f32>();
-phi_4141_ = i32();
-phi_4143_ = f32();
+phi_4141_ = vec3<f32>();
+phi_4144_ = i32();
+phi_4146_ = f32();
 }
-let _e8068 = phi_4138_;
-let _e8070 = phi_4141_;
-let _e8072 = phi_4143_;
+let _e8068 = phi_4141_;
+let _e8070 = phi_4144_;
+let _e8072 = phi_4146_;
 continue;
 continuing {
-phi_4137_ = _e8068;
-phi_4140_ = _e8070;
-phi_4142_ = _e8072;
+phi_4140_ = _e8068;
+phi_4143_ = _e8070;
+phi_4145_ = _e8072;
 break if !(_e2221);
 }
 }
-let _e11267 = local_81;
-phi_13196_ = _e11267;
+let _e11433 = local_81;
+phi_13199_ = _e11433;
 } else {
-phi_13196_ = vec3<f32>(0f, 0f, 0f);
+phi_13199_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e8075 = phi_13196_;
-phi_13211_ = type_25(_e507.member, _e507.member_1, _e507.member_2, _e507.member_3, vec3<f32>((_e280 + (_e8075.x * _e803)), (_e291 + (_e8075.y * _e804)), (_e302 + (_e8075.z * _e805))), _e507.member_5, _e507.member_6, _e507.member_7, _e507.member_8, _e507.member_9);
+let _e8075 = phi_13199_;
+phi_13214_ = type_26(_e507.member, _e507.member_1, _e507.member_2, _e507.member_3, vec3<f32>((_e280 + (_e8075.x * _e803)), (_e291 + (_e8075.y * _e804)), (_e302 + (_e8075.z * _e805))), _e507.member_5, _e507.member_6, _e507.member_7, _e507.member_8, _e507.member_9);
 } else {
-phi_13211_ = _e507;
+phi_13214_ = _e507;
 }
-let _e8097 = phi_13211_;
+let _e8097 = phi_13214_;
 let _e8098 = (_e708 == -1i);
 let _e8099 = select(_e802, 0f, _e8098);
 let _e8103 = (_e798 + (_e547 * _e8099));
@@ -3668,7 +3681,7 @@ let _e8550 = global_5.member[bitcast<u32>(select(0i, _e8544, (_e8544 > 0i)))];
 let _e8558 = (_e8459 + 9i);
 let _e8560 = select(_e8461, _e8558, (_e8558 < _e8461));
 let _e8566 = global_5.member[bitcast<u32>(select(0i, _e8560, (_e8560 > 0i)))];
-phi_13946_ = type_27(_e8106, vec3<f32>((_e8245 * _e8326), (_e8248 * _e8326), (_e8251 * _e8326)), vec3<f32>((_e8424 * _e8437), (_e8425 * _e8437), (_e8426 * _e8437)), vec3<f32>((((_e8469 * _e8313) + (_e8499 * _e8314)) + (_e8532 * _e8315)), (((_e8478 * _e8313) + (_e8508 * _e8314)) + (_e8541 * _e8315)), (((_e8487 * _e8313) + (_e8517 * _e8314)) + (_e8550 * _e8315))), _e8566, true);
+phi_13949_ = type_28(_e8106, vec3<f32>((_e8245 * _e8326), (_e8248 * _e8326), (_e8251 * _e8326)), vec3<f32>((_e8424 * _e8437), (_e8425 * _e8437), (_e8426 * _e8437)), vec3<f32>((((_e8469 * _e8313) + (_e8499 * _e8314)) + (_e8532 * _e8315)), (((_e8478 * _e8313) + (_e8508 * _e8314)) + (_e8541 * _e8315)), (((_e8487 * _e8313) + (_e8517 * _e8314)) + (_e8550 * _e8315))), _e8566, true, false);
 } else {
 let _e8110 = (_e708 == -3i);
 let _e8116 = global_1.member.member_14.member_1.member.member;
@@ -3676,9 +3689,9 @@ let _e8121 = global_1.member.member_14.member_1.member_1;
 let _e8127 = global_1.member.member_14.member.member.member;
 let _e8132 = global_1.member.member_14.member.member_1;
 let _e8142 = vec3<f32>(select(_e8127.member, _e8116.member, _e8110), select(_e8127.member_1, _e8116.member_1, _e8110), select(_e8127.member_2, _e8116.member_2, _e8110));
-phi_13946_ = type_27(_e8106, _e8142, _e8142, vec3<f32>(select(_e8132.member, _e8121.member, _e8110), select(_e8132.member_1, _e8121.member_1, _e8110), select(_e8132.member_2, _e8121.member_2, _e8110)), 0f, false);
+phi_13949_ = type_28(_e8106, _e8142, _e8142, vec3<f32>(select(_e8132.member, _e8121.member, _e8110), select(_e8132.member_1, _e8121.member_1, _e8110), select(_e8132.member_2, _e8121.member_2, _e8110)), 0f, false, _e8110);
 }
-let _e8569 = phi_13946_;
+let _e8569 = phi_13949_;
 let _e8572 = ((select(0i, _e708, _e8109) * 19i) + 18i);
 let _e8574 = (bitcast<i32>(_e183) - 1i);
 let _e8576 = select(_e8574, _e8572, (_e8572 < _e8574));
@@ -3689,535 +3702,535 @@ let _e8592 = (bitcast<i32>(_e188) - 1i);
 let _e8594 = select(_e8592, _e8590, (_e8590 < _e8592));
 let _e8600 = global_7.member[bitcast<u32>(select(0i, _e8594, (_e8594 > 0i)))];
 if _e8109 {
-phi_14010_ = (select(_e8600, 1f, (_e8589 == 16i)) == 0f);
+phi_14013_ = (select(_e8600, 1f, (_e8589 == 16i)) == 0f);
 } else {
-phi_14010_ = (_e708 != -1i);
+phi_14013_ = (_e708 != -1i);
 }
-let _e8606 = phi_14010_;
+let _e8606 = phi_14013_;
 if _e716 {
-let _e8617 = type_25(select(_e802, 1e30f, _e8098), _e8097.member_1, _e8097.member_2, _e8097.member_3, _e8097.member_4, _e8097.member_5, _e8097.member_6, _e8097.member_7, _e8097.member_8, _e8097.member_9);
-let _e8629 = type_25(_e8617.member, select(_e802, _e881, (_e881 < _e802)), _e8617.member_2, _e8617.member_3, _e8617.member_4, _e8617.member_5, _e8617.member_6, _e8617.member_7, _e8617.member_8, _e8617.member_9);
-let _e8641 = type_25(_e8629.member, _e8629.member_1, select(_e802, _e882, (_e882 < _e802)), _e8629.member_3, _e8629.member_4, _e8629.member_5, _e8629.member_6, _e8629.member_7, _e8629.member_8, _e8629.member_9);
+let _e8617 = type_26(select(_e802, 1e30f, _e8098), _e8097.member_1, _e8097.member_2, _e8097.member_3, _e8097.member_4, _e8097.member_5, _e8097.member_6, _e8097.member_7, _e8097.member_8, _e8097.member_9);
+let _e8629 = type_26(_e8617.member, select(_e802, _e881, (_e881 < _e802)), _e8617.member_2, _e8617.member_3, _e8617.member_4, _e8617.member_5, _e8617.member_6, _e8617.member_7, _e8617.member_8, _e8617.member_9);
+let _e8641 = type_26(_e8629.member, _e8629.member_1, select(_e802, _e882, (_e882 < _e802)), _e8629.member_3, _e8629.member_4, _e8629.member_5, _e8629.member_6, _e8629.member_7, _e8629.member_8, _e8629.member_9);
 let _e8652 = select(1f, -1f, ((((_e8569.member_1.x * _e547) + (_e8569.member_1.y * _e558)) + (_e8569.member_1.z * _e569)) > 0f));
 let _e8664 = select(_e8652, -(_e8652), ((((_e8569.member_2.x * _e8569.member_1.x) + (_e8569.member_2.y * _e8569.member_1.y)) + (_e8569.member_2.z * _e8569.member_1.z)) < 0f));
 let _e8665 = (_e8569.member_2.x * _e8664);
 let _e8666 = (_e8569.member_2.y * _e8664);
 let _e8667 = (_e8569.member_2.z * _e8664);
 let _e8676 = ((((_e8665 * _e547) + (_e8666 * _e558)) + (_e8667 * _e569)) > 0f);
-let _e8693 = type_25(_e8641.member, _e8641.member_1, _e8641.member_2, _e8641.member_3, _e8641.member_4, _e8641.member_5, _e8641.member_6, _e8641.member_7, _e8641.member_8, vec3<f32>(select(select(_e8665, (_e8569.member_1.x * _e8652), _e8676), 0f, _e8098), select(select(_e8666, (_e8569.member_1.y * _e8652), _e8676), 0f, _e8098), select(select(_e8667, (_e8569.member_1.z * _e8652), _e8676), 0f, _e8098)));
+let _e8693 = type_26(_e8641.member, _e8641.member_1, _e8641.member_2, _e8641.member_3, _e8641.member_4, _e8641.member_5, _e8641.member_6, _e8641.member_7, _e8641.member_8, vec3<f32>(select(select(_e8665, (_e8569.member_1.x * _e8652), _e8676), 0f, _e8098), select(select(_e8666, (_e8569.member_1.y * _e8652), _e8676), 0f, _e8098), select(select(_e8667, (_e8569.member_1.z * _e8652), _e8676), 0f, _e8098)));
 let _e8697 = (1f - (((_e1435 + _e1483) + _e1531) * _e1539));
 let _e8701 = global_1.member.member_15.member_12;
-phi_14130_ = type_25(_e8693.member, _e8693.member_1, _e8693.member_2, _e8693.member_3, _e8693.member_4, _e8693.member_5, _e8693.member_6, _e8693.member_7, select(1f, select(_e8697, _e8701, (_e8701 > _e8697)), _e8098), _e8693.member_9);
+phi_14133_ = type_26(_e8693.member, _e8693.member_1, _e8693.member_2, _e8693.member_3, _e8693.member_4, _e8693.member_5, _e8693.member_6, _e8693.member_7, select(1f, select(_e8697, _e8701, (_e8701 > _e8697)), _e8098), _e8693.member_9);
 } else {
-phi_14130_ = _e8097;
+phi_14133_ = _e8097;
 }
-let _e8716 = phi_14130_;
+let _e8716 = phi_14133_;
 if _e8098 {
-let _e9944 = (((_e580 * _e580) + (_e591 * _e591)) + (_e602 * _e602));
-let _e9947 = sqrt(select(0f, _e9944, (_e9944 > 0f)));
-let _e9952 = (((_e613 * _e613) + (_e624 * _e624)) + (_e635 * _e635));
-let _e9955 = sqrt(select(0f, _e9952, (_e9952 > 0f)));
-let _e9957 = select(_e9955, _e9947, (_e9947 > _e9955));
-let _e9961 = global_1.member.member_15.member_4;
-let _e9969 = (((_e9961.member * _e547) + (_e9961.member_1 * _e558)) + (_e9961.member_2 * _e569));
-let _e9973 = global_1.member.member_15.member_5;
-let _e9981 = (((_e9973.member * _e547) + (_e9973.member_1 * _e558)) + (_e9973.member_2 * _e569));
-let _e9985 = global_1.member.member_15.member_6;
-let _e9993 = (((_e9985.member * _e547) + (_e9985.member_1 * _e558)) + (_e9985.member_2 * _e569));
-let _e9997 = global_1.member.member_15.member;
-let _e10001 = global_1.member.member_15.member_7;
-let _e10005 = vec3<f32>(_e10001.member, _e10001.member_1, _e10001.member_2);
-let _e10009 = global_1.member.member_15.member_8;
-if (_e9997 == 0u) {
-phi_15619_ = _e10005;
+let _e10110 = (((_e580 * _e580) + (_e591 * _e591)) + (_e602 * _e602));
+let _e10113 = sqrt(select(0f, _e10110, (_e10110 > 0f)));
+let _e10118 = (((_e613 * _e613) + (_e624 * _e624)) + (_e635 * _e635));
+let _e10121 = sqrt(select(0f, _e10118, (_e10118 > 0f)));
+let _e10123 = select(_e10121, _e10113, (_e10113 > _e10121));
+let _e10127 = global_1.member.member_15.member_4;
+let _e10135 = (((_e10127.member * _e547) + (_e10127.member_1 * _e558)) + (_e10127.member_2 * _e569));
+let _e10139 = global_1.member.member_15.member_5;
+let _e10147 = (((_e10139.member * _e547) + (_e10139.member_1 * _e558)) + (_e10139.member_2 * _e569));
+let _e10151 = global_1.member.member_15.member_6;
+let _e10159 = (((_e10151.member * _e547) + (_e10151.member_1 * _e558)) + (_e10151.member_2 * _e569));
+let _e10163 = global_1.member.member_15.member;
+let _e10167 = global_1.member.member_15.member_7;
+let _e10171 = vec3<f32>(_e10167.member, _e10167.member_1, _e10167.member_2);
+let _e10175 = global_1.member.member_15.member_8;
+if (_e10163 == 0u) {
+phi_15622_ = _e10171;
 } else {
-if (_e9997 == 1u) {
-let _e10986 = select(-1f, _e9993, (_e9993 > -1f));
-let _e10988 = select(1f, _e10986, (_e10986 < 1f));
-if (_e10988 > 0f) {
-phi_14234_ = _e10005;
+if (_e10163 == 1u) {
+let _e11152 = select(-1f, _e10159, (_e10159 > -1f));
+let _e11154 = select(1f, _e11152, (_e11152 < 1f));
+if (_e11154 > 0f) {
+phi_14237_ = _e10171;
 } else {
-let _e10993 = global_1.member.member_15.member_9;
-phi_14234_ = vec3<f32>(_e10993.member, _e10993.member_1, _e10993.member_2);
+let _e11159 = global_1.member.member_15.member_9;
+phi_14237_ = vec3<f32>(_e11159.member, _e11159.member_1, _e11159.member_2);
 }
-let _e10999 = phi_14234_;
-let _e11008 = bitcast<f32>((bitcast<u32>(_e10988) & 2147483647u));
-let _e11011 = sqrt(select(0f, _e11008, (_e11008 > 0f)));
-phi_15618_ = vec3<f32>((_e10009.member + ((_e10999.x - _e10009.member) * _e11011)), (_e10009.member_1 + ((_e10999.y - _e10009.member_1) * _e11011)), (_e10009.member_2 + ((_e10999.z - _e10009.member_2) * _e11011)));
+let _e11165 = phi_14237_;
+let _e11174 = bitcast<f32>((bitcast<u32>(_e11154) & 2147483647u));
+let _e11177 = sqrt(select(0f, _e11174, (_e11174 > 0f)));
+phi_15621_ = vec3<f32>((_e10175.member + ((_e11165.x - _e10175.member) * _e11177)), (_e10175.member_1 + ((_e11165.y - _e10175.member_1) * _e11177)), (_e10175.member_2 + ((_e11165.z - _e10175.member_2) * _e11177)));
 } else {
-if (_e9997 == 2u) {
-let _e10786 = global_1.member.member_15.member_10;
-let _e10787 = (_e9957 / _e10786);
-let _e10789 = select(1e-4f, _e10787, (_e10787 > 1e-4f));
-let _e10792 = bitcast<f32>((bitcast<u32>(_e9969) & 2147483647u));
-let _e10795 = bitcast<f32>((bitcast<u32>(_e9981) & 2147483647u));
-let _e10799 = select(_e10795, _e10792, (_e10792 > _e10795));
-let _e10802 = (select(_e10795, _e10792, (_e10792 < _e10795)) / select(1.1754944e-38f, _e10799, (_e10799 > 1.1754944e-38f)));
-let _e10803 = (_e10802 > 0.41421357f);
-let _e10807 = select(_e10802, ((_e10802 - 1f) / (_e10802 + 1f)), _e10803);
-let _e10808 = (_e10807 * _e10807);
-let _e10823 = (select(0f, 0.7853982f, _e10803) + (_e10807 + ((_e10807 * _e10808) * (-0.33333334f + (_e10808 * (0.2f + (_e10808 * (-0.14285713f + (_e10808 * (0.11111111f + (_e10808 * (-0.09090909f + (_e10808 * 0.0585f)))))))))))));
-let _e10826 = select(_e10823, (1.5707964f - _e10823), (_e10795 > _e10792));
-let _e10829 = select(_e10826, (3.1415927f - _e10826), (_e9969 < 0f));
-let _e10835 = (1f - (_e9993 * _e9993));
-let _e10838 = sqrt(select(0f, _e10835, (_e10835 > 0f)));
-let _e10841 = (_e10789 / select(1e-3f, _e10838, (_e10838 > 1e-3f)));
-let _e10842 = ((select(_e10829, -(_e10829), (_e9981 < 0f)) / _e10786) * 0.5f);
-let _e10844 = select(-8e6f, _e10842, (_e10842 > -8e6f));
-let _e10846 = select(8e6f, _e10844, (_e10844 < 8e6f));
-let _e10853 = select(0i, select(select(i32(_e10846), i32(-2147483648), (_e10846 < -2147483600f)), 2147483647i, (_e10846 > 2147483500f)), (_e10846 == _e10846));
-let _e10860 = ((_e10842 - f32((_e10853 - select(0i, 1i, (_e10846 < f32(_e10853)))))) * 2f);
-let _e10868 = ((select(select((_e10860 - 2f), (1f - _e10860), (_e10860 < 1.5f)), _e10860, (_e10860 < 0.5f)) * 2f) / _e10841);
-let _e10870 = select(-1f, _e10868, (_e10868 > -1f));
-let _e10873 = (2f - _e10841);
-let _e10875 = select(0f, _e10873, (_e10873 > 0f));
-let _e10880 = select(-1f, _e9993, (_e9993 > -1f));
-let _e10882 = select(1f, _e10880, (_e10880 < 1f));
-let _e10885 = ((1f - _e10882) * (1f + _e10882));
-let _e10888 = sqrt(select(0f, _e10885, (_e10885 > 0f)));
-let _e10891 = bitcast<f32>((bitcast<u32>(_e10888) & 2147483647u));
-let _e10894 = bitcast<f32>((bitcast<u32>(_e10882) & 2147483647u));
-let _e10898 = select(_e10894, _e10891, (_e10891 > _e10894));
-let _e10901 = (select(_e10894, _e10891, (_e10891 < _e10894)) / select(1.1754944e-38f, _e10898, (_e10898 > 1.1754944e-38f)));
-let _e10902 = (_e10901 > 0.41421357f);
-let _e10906 = select(_e10901, ((_e10901 - 1f) / (_e10901 + 1f)), _e10902);
-let _e10907 = (_e10906 * _e10906);
-let _e10922 = (select(0f, 0.7853982f, _e10902) + (_e10906 + ((_e10906 * _e10907) * (-0.33333334f + (_e10907 * (0.2f + (_e10907 * (-0.14285713f + (_e10907 * (0.11111111f + (_e10907 * (-0.09090909f + (_e10907 * 0.0585f)))))))))))));
-let _e10925 = select(_e10922, (1.5707964f - _e10922), (_e10894 > _e10891));
-let _e10928 = select(_e10925, (3.1415927f - _e10925), (_e10888 < 0f));
-let _e10933 = ((select(_e10928, -(_e10928), (_e10882 < 0f)) / _e10786) * 0.5f);
-let _e10935 = select(-8e6f, _e10933, (_e10933 > -8e6f));
-let _e10937 = select(8e6f, _e10935, (_e10935 < 8e6f));
-let _e10944 = select(0i, select(select(i32(_e10937), i32(-2147483648), (_e10937 < -2147483600f)), 2147483647i, (_e10937 > 2147483500f)), (_e10937 == _e10937));
-let _e10951 = ((_e10933 - f32((_e10944 - select(0i, 1i, (_e10937 < f32(_e10944)))))) * 2f);
-let _e10959 = ((select(select((_e10951 - 2f), (1f - _e10951), (_e10951 < 1.5f)), _e10951, (_e10951 < 0.5f)) * 2f) / _e10789);
-let _e10961 = select(-1f, _e10959, (_e10959 > -1f));
-let _e10964 = (2f - _e10789);
-let _e10966 = select(0f, _e10964, (_e10964 > 0f));
-let _e10972 = (0.5f + ((0.5f * (select(1f, _e10870, (_e10870 < 1f)) * select(1f, _e10875, (_e10875 < 1f)))) * (select(1f, _e10961, (_e10961 < 1f)) * select(1f, _e10966, (_e10966 < 1f)))));
-phi_15617_ = vec3<f32>((_e10001.member + ((_e10009.member - _e10001.member) * _e10972)), (_e10001.member_1 + ((_e10009.member_1 - _e10001.member_1) * _e10972)), (_e10001.member_2 + ((_e10009.member_2 - _e10001.member_2) * _e10972)));
+if (_e10163 == 2u) {
+let _e10952 = global_1.member.member_15.member_10;
+let _e10953 = (_e10123 / _e10952);
+let _e10955 = select(1e-4f, _e10953, (_e10953 > 1e-4f));
+let _e10958 = bitcast<f32>((bitcast<u32>(_e10135) & 2147483647u));
+let _e10961 = bitcast<f32>((bitcast<u32>(_e10147) & 2147483647u));
+let _e10965 = select(_e10961, _e10958, (_e10958 > _e10961));
+let _e10968 = (select(_e10961, _e10958, (_e10958 < _e10961)) / select(1.1754944e-38f, _e10965, (_e10965 > 1.1754944e-38f)));
+let _e10969 = (_e10968 > 0.41421357f);
+let _e10973 = select(_e10968, ((_e10968 - 1f) / (_e10968 + 1f)), _e10969);
+let _e10974 = (_e10973 * _e10973);
+let _e10989 = (select(0f, 0.7853982f, _e10969) + (_e10973 + ((_e10973 * _e10974) * (-0.33333334f + (_e10974 * (0.2f + (_e10974 * (-0.14285713f + (_e10974 * (0.11111111f + (_e10974 * (-0.09090909f + (_e10974 * 0.0585f)))))))))))));
+let _e10992 = select(_e10989, (1.5707964f - _e10989), (_e10961 > _e10958));
+let _e10995 = select(_e10992, (3.1415927f - _e10992), (_e10135 < 0f));
+let _e11001 = (1f - (_e10159 * _e10159));
+let _e11004 = sqrt(select(0f, _e11001, (_e11001 > 0f)));
+let _e11007 = (_e10955 / select(1e-3f, _e11004, (_e11004 > 1e-3f)));
+let _e11008 = ((select(_e10995, -(_e10995), (_e10147 < 0f)) / _e10952) * 0.5f);
+let _e11010 = select(-8e6f, _e11008, (_e11008 > -8e6f));
+let _e11012 = select(8e6f, _e11010, (_e11010 < 8e6f));
+let _e11019 = select(0i, select(select(i32(_e11012), i32(-2147483648), (_e11012 < -2147483600f)), 2147483647i, (_e11012 > 2147483500f)), (_e11012 == _e11012));
+let _e11026 = ((_e11008 - f32((_e11019 - select(0i, 1i, (_e11012 < f32(_e11019)))))) * 2f);
+let _e11034 = ((select(select((_e11026 - 2f), (1f - _e11026), (_e11026 < 1.5f)), _e11026, (_e11026 < 0.5f)) * 2f) / _e11007);
+let _e11036 = select(-1f, _e11034, (_e11034 > -1f));
+let _e11039 = (2f - _e11007);
+let _e11041 = select(0f, _e11039, (_e11039 > 0f));
+let _e11046 = select(-1f, _e10159, (_e10159 > -1f));
+let _e11048 = select(1f, _e11046, (_e11046 < 1f));
+let _e11051 = ((1f - _e11048) * (1f + _e11048));
+let _e11054 = sqrt(select(0f, _e11051, (_e11051 > 0f)));
+let _e11057 = bitcast<f32>((bitcast<u32>(_e11054) & 2147483647u));
+let _e11060 = bitcast<f32>((bitcast<u32>(_e11048) & 2147483647u));
+let _e11064 = select(_e11060, _e11057, (_e11057 > _e11060));
+let _e11067 = (select(_e11060, _e11057, (_e11057 < _e11060)) / select(1.1754944e-38f, _e11064, (_e11064 > 1.1754944e-38f)));
+let _e11068 = (_e11067 > 0.41421357f);
+let _e11072 = select(_e11067, ((_e11067 - 1f) / (_e11067 + 1f)), _e11068);
+let _e11073 = (_e11072 * _e11072);
+let _e11088 = (select(0f, 0.7853982f, _e11068) + (_e11072 + ((_e11072 * _e11073) * (-0.33333334f + (_e11073 * (0.2f + (_e11073 * (-0.14285713f + (_e11073 * (0.11111111f + (_e11073 * (-0.09090909f + (_e11073 * 0.0585f)))))))))))));
+let _e11091 = select(_e11088, (1.5707964f - _e11088), (_e11060 > _e11057));
+let _e11094 = select(_e11091, (3.1415927f - _e11091), (_e11054 < 0f));
+let _e11099 = ((select(_e11094, -(_e11094), (_e11048 < 0f)) / _e10952) * 0.5f);
+let _e11101 = select(-8e6f, _e11099, (_e11099 > -8e6f));
+let _e11103 = select(8e6f, _e11101, (_e11101 < 8e6f));
+let _e11110 = select(0i, select(select(i32(_e11103), i32(-2147483648), (_e11103 < -2147483600f)), 2147483647i, (_e11103 > 2147483500f)), (_e11103 == _e11103));
+let _e11117 = ((_e11099 - f32((_e11110 - select(0i, 1i, (_e11103 < f32(_e11110)))))) * 2f);
+let _e11125 = ((select(select((_e11117 - 2f), (1f - _e11117), (_e11117 < 1.5f)), _e11117, (_e11117 < 0.5f)) * 2f) / _e10955);
+let _e11127 = select(-1f, _e11125, (_e11125 > -1f));
+let _e11130 = (2f - _e10955);
+let _e11132 = select(0f, _e11130, (_e11130 > 0f));
+let _e11138 = (0.5f + ((0.5f * (select(1f, _e11036, (_e11036 < 1f)) * select(1f, _e11041, (_e11041 < 1f)))) * (select(1f, _e11127, (_e11127 < 1f)) * select(1f, _e11132, (_e11132 < 1f)))));
+phi_15620_ = vec3<f32>((_e10167.member + ((_e10175.member - _e10167.member) * _e11138)), (_e10167.member_1 + ((_e10175.member_1 - _e10167.member_1) * _e11138)), (_e10167.member_2 + ((_e10175.member_2 - _e10167.member_2) * _e11138)));
 } else {
-let _e10019 = global_1.member.member_15.member_1;
-let _e10020 = bitcast<i32>(_e10019);
-let _e10025 = global_1.member.member_15.member_3;
-let _e10027 = f32(bitcast<i32>(_e10025));
-let _e10029 = (2f * 3.1415927f);
-let _e10030 = ((_e9957 * f32(_e10020)) / _e10029);
-let _e10032 = select(1e-6f, _e10030, (_e10030 > 1e-6f));
-let _e10035 = bitcast<u32>(select(1.1754944e-38f, _e10032, (_e10032 > 1.1754944e-38f)));
-let _e10036 = (_e10035 & 8388607u);
-let _e10038 = select(0u, 1u, (_e10036 > 3474675u));
-let _e10049 = bitcast<f32>((_e10036 | ((127u - _e10038) << bitcast<u32>(23i))));
-let _e10052 = ((_e10049 - 1f) / (_e10049 + 1f));
-let _e10053 = (_e10052 * _e10052);
-let _e10068 = (f32(((bitcast<i32>((_e10035 >> bitcast<u32>(23i))) - 127i) + bitcast<i32>(_e10038))) + (((2f * _e10052) + ((_e10052 * _e10053) * (0.6666667f + (_e10053 * (0.4f + (_e10053 * (0.2857143f + (_e10053 * (0.22222222f + (_e10053 * 0.18181819f)))))))))) * 1.442695f));
-let _e10069 = (_e10027 - 1f);
-let _e10071 = select(0f, _e10068, (_e10068 > 0f));
-let _e10073 = select(_e10069, _e10071, (_e10071 < _e10069));
-let _e10074 = (_e10027 - 2f);
-let _e10076 = select(0f, _e10074, (_e10074 > 0f));
-let _e10078 = select(0f, _e10073, (_e10073 > 0f));
-let _e10080 = select(_e10076, _e10078, (_e10078 < _e10076));
-let _e10087 = select(0i, select(select(i32(_e10080), i32(-2147483648), (_e10080 < -2147483600f)), 2147483647i, (_e10080 > 2147483500f)), (_e10080 == _e10080));
-let _e10091 = (_e10087 - select(0i, 1i, (_e10080 < f32(_e10087))));
-let _e10094 = bitcast<f32>((bitcast<u32>(_e9981) & 2147483647u));
-let _e10097 = bitcast<f32>((bitcast<u32>(_e9969) & 2147483647u));
-let _e10101 = select(_e10097, _e10094, (_e10094 > _e10097));
-let _e10104 = (select(_e10097, _e10094, (_e10094 < _e10097)) / select(1.1754944e-38f, _e10101, (_e10101 > 1.1754944e-38f)));
-let _e10105 = (_e10104 > 0.41421357f);
-let _e10109 = select(_e10104, ((_e10104 - 1f) / (_e10104 + 1f)), _e10105);
-let _e10110 = (_e10109 * _e10109);
-let _e10125 = (select(0f, 0.7853982f, _e10105) + (_e10109 + ((_e10109 * _e10110) * (-0.33333334f + (_e10110 * (0.2f + (_e10110 * (-0.14285713f + (_e10110 * (0.11111111f + (_e10110 * (-0.09090909f + (_e10110 * 0.0585f)))))))))))));
-let _e10128 = select(_e10125, (1.5707964f - _e10125), (_e10097 > _e10094));
-let _e10131 = select(_e10128, (3.1415927f - _e10128), (_e9981 < 0f));
-let _e10136 = (0.5f - (select(_e10131, -(_e10131), (_e9969 < 0f)) / _e10029));
-let _e10138 = select(-1f, _e9993, (_e9993 > -1f));
-let _e10140 = select(1f, _e10138, (_e10138 < 1f));
-let _e10143 = ((1f - _e10140) * (1f + _e10140));
-let _e10146 = sqrt(select(0f, _e10143, (_e10143 > 0f)));
-let _e10149 = bitcast<f32>((bitcast<u32>(_e10146) & 2147483647u));
-let _e10152 = bitcast<f32>((bitcast<u32>(_e10140) & 2147483647u));
-let _e10156 = select(_e10152, _e10149, (_e10149 > _e10152));
-let _e10159 = (select(_e10152, _e10149, (_e10149 < _e10152)) / select(1.1754944e-38f, _e10156, (_e10156 > 1.1754944e-38f)));
-let _e10160 = (_e10159 > 0.41421357f);
-let _e10164 = select(_e10159, ((_e10159 - 1f) / (_e10159 + 1f)), _e10160);
-let _e10165 = (_e10164 * _e10164);
-let _e10180 = (select(0f, 0.7853982f, _e10160) + (_e10164 + ((_e10164 * _e10165) * (-0.33333334f + (_e10165 * (0.2f + (_e10165 * (-0.14285713f + (_e10165 * (0.11111111f + (_e10165 * (-0.09090909f + (_e10165 * 0.0585f)))))))))))));
-let _e10183 = select(_e10180, (1.5707964f - _e10180), (_e10152 > _e10149));
-let _e10186 = select(_e10183, (3.1415927f - _e10183), (_e10146 < 0f));
-let _e10191 = (0.5f - (select(_e10186, -(_e10186), (_e10140 < 0f)) / 3.1415927f));
-let _e10195 = global_1.member.member_15.member_2;
-let _e10196 = bitcast<i32>(_e10195);
-phi_14836_ = 0i;
+let _e10185 = global_1.member.member_15.member_1;
+let _e10186 = bitcast<i32>(_e10185);
+let _e10191 = global_1.member.member_15.member_3;
+let _e10193 = f32(bitcast<i32>(_e10191));
+let _e10195 = (2f * 3.1415927f);
+let _e10196 = ((_e10123 * f32(_e10186)) / _e10195);
+let _e10198 = select(1e-6f, _e10196, (_e10196 > 1e-6f));
+let _e10201 = bitcast<u32>(select(1.1754944e-38f, _e10198, (_e10198 > 1.1754944e-38f)));
+let _e10202 = (_e10201 & 8388607u);
+let _e10204 = select(0u, 1u, (_e10202 > 3474675u));
+let _e10215 = bitcast<f32>((_e10202 | ((127u - _e10204) << bitcast<u32>(23i))));
+let _e10218 = ((_e10215 - 1f) / (_e10215 + 1f));
+let _e10219 = (_e10218 * _e10218);
+let _e10234 = (f32(((bitcast<i32>((_e10201 >> bitcast<u32>(23i))) - 127i) + bitcast<i32>(_e10204))) + (((2f * _e10218) + ((_e10218 * _e10219) * (0.6666667f + (_e10219 * (0.4f + (_e10219 * (0.2857143f + (_e10219 * (0.22222222f + (_e10219 * 0.18181819f)))))))))) * 1.442695f));
+let _e10235 = (_e10193 - 1f);
+let _e10237 = select(0f, _e10234, (_e10234 > 0f));
+let _e10239 = select(_e10235, _e10237, (_e10237 < _e10235));
+let _e10240 = (_e10193 - 2f);
+let _e10242 = select(0f, _e10240, (_e10240 > 0f));
+let _e10244 = select(0f, _e10239, (_e10239 > 0f));
+let _e10246 = select(_e10242, _e10244, (_e10244 < _e10242));
+let _e10253 = select(0i, select(select(i32(_e10246), i32(-2147483648), (_e10246 < -2147483600f)), 2147483647i, (_e10246 > 2147483500f)), (_e10246 == _e10246));
+let _e10257 = (_e10253 - select(0i, 1i, (_e10246 < f32(_e10253))));
+let _e10260 = bitcast<f32>((bitcast<u32>(_e10147) & 2147483647u));
+let _e10263 = bitcast<f32>((bitcast<u32>(_e10135) & 2147483647u));
+let _e10267 = select(_e10263, _e10260, (_e10260 > _e10263));
+let _e10270 = (select(_e10263, _e10260, (_e10260 < _e10263)) / select(1.1754944e-38f, _e10267, (_e10267 > 1.1754944e-38f)));
+let _e10271 = (_e10270 > 0.41421357f);
+let _e10275 = select(_e10270, ((_e10270 - 1f) / (_e10270 + 1f)), _e10271);
+let _e10276 = (_e10275 * _e10275);
+let _e10291 = (select(0f, 0.7853982f, _e10271) + (_e10275 + ((_e10275 * _e10276) * (-0.33333334f + (_e10276 * (0.2f + (_e10276 * (-0.14285713f + (_e10276 * (0.11111111f + (_e10276 * (-0.09090909f + (_e10276 * 0.0585f)))))))))))));
+let _e10294 = select(_e10291, (1.5707964f - _e10291), (_e10263 > _e10260));
+let _e10297 = select(_e10294, (3.1415927f - _e10294), (_e10147 < 0f));
+let _e10302 = (0.5f - (select(_e10297, -(_e10297), (_e10135 < 0f)) / _e10195));
+let _e10304 = select(-1f, _e10159, (_e10159 > -1f));
+let _e10306 = select(1f, _e10304, (_e10304 < 1f));
+let _e10309 = ((1f - _e10306) * (1f + _e10306));
+let _e10312 = sqrt(select(0f, _e10309, (_e10309 > 0f)));
+let _e10315 = bitcast<f32>((bitcast<u32>(_e10312) & 2147483647u));
+let _e10318 = bitcast<f32>((bitcast<u32>(_e10306) & 2147483647u));
+let _e10322 = select(_e10318, _e10315, (_e10315 > _e10318));
+let _e10325 = (select(_e10318, _e10315, (_e10315 < _e10318)) / select(1.1754944e-38f, _e10322, (_e10322 > 1.1754944e-38f)));
+let _e10326 = (_e10325 > 0.41421357f);
+let _e10330 = select(_e10325, ((_e10325 - 1f) / (_e10325 + 1f)), _e10326);
+let _e10331 = (_e10330 * _e10330);
+let _e10346 = (select(0f, 0.7853982f, _e10326) + (_e10330 + ((_e10330 * _e10331) * (-0.33333334f + (_e10331 * (0.2f + (_e10331 * (-0.14285713f + (_e10331 * (0.11111111f + (_e10331 * (-0.09090909f + (_e10331 * 0.0585f)))))))))))));
+let _e10349 = select(_e10346, (1.5707964f - _e10346), (_e10318 > _e10315));
+let _e10352 = select(_e10349, (3.1415927f - _e10349), (_e10312 < 0f));
+let _e10357 = (0.5f - (select(_e10352, -(_e10352), (_e10306 < 0f)) / 3.1415927f));
+let _e10361 = global_1.member.member_15.member_2;
+let _e10362 = bitcast<i32>(_e10361);
 phi_14839_ = 0i;
-phi_14841_ = _e10196;
-phi_14843_ = _e10020;
+phi_14842_ = 0i;
+phi_14844_ = _e10362;
+phi_14846_ = _e10186;
 loop {
-let _e10198 = phi_14836_;
-let _e10200 = phi_14839_;
-let _e10202 = phi_14841_;
-let _e10204 = phi_14843_;
-local_43 = _e10204;
-local_44 = _e10202;
-local_45 = _e10204;
-local_46 = _e10204;
-local_47 = _e10204;
-local_48 = _e10204;
-local_49 = _e10204;
-local_50 = _e10204;
-local_51 = _e10202;
-local_52 = _e10202;
-local_53 = _e10202;
-local_54 = _e10202;
-local_55 = _e10204;
-local_56 = _e10200;
-local_57 = _e10204;
-local_58 = _e10200;
-let _e10205 = (_e10198 < _e10091);
-if _e10205 {
-if (_e10204 > 1i) {
-phi_14858_ = (_e10204 >> bitcast<u32>(1i));
+let _e10364 = phi_14839_;
+let _e10366 = phi_14842_;
+let _e10368 = phi_14844_;
+let _e10370 = phi_14846_;
+local_43 = _e10370;
+local_44 = _e10368;
+local_45 = _e10370;
+local_46 = _e10370;
+local_47 = _e10370;
+local_48 = _e10370;
+local_49 = _e10370;
+local_50 = _e10370;
+local_51 = _e10368;
+local_52 = _e10368;
+local_53 = _e10368;
+local_54 = _e10368;
+local_55 = _e10370;
+local_56 = _e10366;
+local_57 = _e10370;
+local_58 = _e10366;
+let _e10371 = (_e10364 < _e10257);
+if _e10371 {
+if (_e10370 > 1i) {
+phi_14861_ = (_e10370 >> bitcast<u32>(1i));
 } else {
-phi_14858_ = 1i;
+phi_14861_ = 1i;
 }
-let _e10212 = phi_14858_;
-if (_e10202 > 1i) {
-phi_14864_ = (_e10202 >> bitcast<u32>(1i));
+let _e10378 = phi_14861_;
+if (_e10368 > 1i) {
+phi_14867_ = (_e10368 >> bitcast<u32>(1i));
 } else {
-phi_14864_ = 1i;
+phi_14867_ = 1i;
 }
-let _e10217 = phi_14864_;
-phi_14837_ = (_e10198 + 1i);
-phi_14840_ = (_e10200 + (_e10204 * _e10202));
-phi_14842_ = _e10217;
-phi_14844_ = _e10212;
+let _e10383 = phi_14867_;
+phi_14840_ = (_e10364 + 1i);
+phi_14843_ = (_e10366 + (_e10370 * _e10368));
+phi_14845_ = _e10383;
+phi_14847_ = _e10378;
 } else {
-phi_14837_ = i32();
 phi_14840_ = i32();
-phi_14842_ = i32();
-phi_14844_ = i32();
+phi_14843_ = i32();
+phi_14845_ = i32();
+phi_14847_ = i32();
 }
-let _e10220 = phi_14837_;
-let _e10222 = phi_14840_;
-let _e10224 = phi_14842_;
-let _e10226 = phi_14844_;
+let _e10386 = phi_14840_;
+let _e10388 = phi_14843_;
+let _e10390 = phi_14845_;
+let _e10392 = phi_14847_;
 continue;
 continuing {
-phi_14836_ = _e10220;
-phi_14839_ = _e10222;
-phi_14841_ = _e10224;
-phi_14843_ = _e10226;
-break if !(_e10205);
+phi_14839_ = _e10386;
+phi_14842_ = _e10388;
+phi_14844_ = _e10390;
+phi_14846_ = _e10392;
+break if !(_e10371);
 }
 }
-let _e10229 = local_43;
-let _e10230 = f32(_e10229);
-let _e10232 = ((_e10136 * _e10230) - 0.5f);
-let _e10234 = local_44;
-let _e10235 = f32(_e10234);
-let _e10237 = ((_e10191 * _e10235) - 0.5f);
-let _e10239 = select(-1f, _e10232, (_e10232 > -1f));
-let _e10241 = select(_e10230, _e10239, (_e10239 < _e10230));
-let _e10248 = select(0i, select(select(i32(_e10241), i32(-2147483648), (_e10241 < -2147483600f)), 2147483647i, (_e10241 > 2147483500f)), (_e10241 == _e10241));
-let _e10252 = (_e10248 - select(0i, 1i, (_e10241 < f32(_e10248))));
-let _e10254 = select(-1f, _e10237, (_e10237 > -1f));
-let _e10256 = select(_e10235, _e10254, (_e10254 < _e10235));
-let _e10263 = select(0i, select(select(i32(_e10256), i32(-2147483648), (_e10256 < -2147483600f)), 2147483647i, (_e10256 > 2147483500f)), (_e10256 == _e10256));
-let _e10267 = (_e10263 - select(0i, 1i, (_e10256 < f32(_e10263))));
-let _e10269 = (_e10232 - f32(_e10252));
-let _e10271 = (_e10237 - f32(_e10267));
-let _e10273 = select(0f, _e10271, (_e10271 > 0f));
-let _e10275 = select(1f, _e10273, (_e10273 < 1f));
-if (_e10252 < 0i) {
-let _e10278 = local_45;
-phi_14939_ = (_e10252 + _e10278);
+let _e10395 = local_43;
+let _e10396 = f32(_e10395);
+let _e10398 = ((_e10302 * _e10396) - 0.5f);
+let _e10400 = local_44;
+let _e10401 = f32(_e10400);
+let _e10403 = ((_e10357 * _e10401) - 0.5f);
+let _e10405 = select(-1f, _e10398, (_e10398 > -1f));
+let _e10407 = select(_e10396, _e10405, (_e10405 < _e10396));
+let _e10414 = select(0i, select(select(i32(_e10407), i32(-2147483648), (_e10407 < -2147483600f)), 2147483647i, (_e10407 > 2147483500f)), (_e10407 == _e10407));
+let _e10418 = (_e10414 - select(0i, 1i, (_e10407 < f32(_e10414))));
+let _e10420 = select(-1f, _e10403, (_e10403 > -1f));
+let _e10422 = select(_e10401, _e10420, (_e10420 < _e10401));
+let _e10429 = select(0i, select(select(i32(_e10422), i32(-2147483648), (_e10422 < -2147483600f)), 2147483647i, (_e10422 > 2147483500f)), (_e10422 == _e10422));
+let _e10433 = (_e10429 - select(0i, 1i, (_e10422 < f32(_e10429))));
+let _e10435 = (_e10398 - f32(_e10418));
+let _e10437 = (_e10403 - f32(_e10433));
+let _e10439 = select(0f, _e10437, (_e10437 > 0f));
+let _e10441 = select(1f, _e10439, (_e10439 < 1f));
+if (_e10418 < 0i) {
+let _e10444 = local_45;
+phi_14942_ = (_e10418 + _e10444);
 } else {
-phi_14939_ = _e10252;
+phi_14942_ = _e10418;
 }
-let _e10281 = phi_14939_;
-let _e10283 = local_46;
-if (_e10281 >= _e10283) {
-let _e10286 = local_47;
-phi_14945_ = (_e10281 - _e10286);
+let _e10447 = phi_14942_;
+let _e10449 = local_46;
+if (_e10447 >= _e10449) {
+let _e10452 = local_47;
+phi_14948_ = (_e10447 - _e10452);
 } else {
-phi_14945_ = _e10281;
+phi_14948_ = _e10447;
 }
-let _e10289 = phi_14945_;
-let _e10290 = (_e10252 + 1i);
-if (_e10290 < 0i) {
-let _e10293 = local_48;
-phi_14952_ = (_e10290 + _e10293);
+let _e10455 = phi_14948_;
+let _e10456 = (_e10418 + 1i);
+if (_e10456 < 0i) {
+let _e10459 = local_48;
+phi_14955_ = (_e10456 + _e10459);
 } else {
-phi_14952_ = _e10290;
+phi_14955_ = _e10456;
 }
-let _e10296 = phi_14952_;
-let _e10298 = local_49;
-if (_e10296 >= _e10298) {
-let _e10301 = local_50;
-phi_14958_ = (_e10296 - _e10301);
+let _e10462 = phi_14955_;
+let _e10464 = local_49;
+if (_e10462 >= _e10464) {
+let _e10467 = local_50;
+phi_14961_ = (_e10462 - _e10467);
 } else {
-phi_14958_ = _e10296;
+phi_14961_ = _e10462;
 }
-let _e10304 = phi_14958_;
-let _e10306 = select(_e10267, 0i, (_e10267 < 0i));
-let _e10308 = local_51;
-if (_e10306 >= _e10308) {
-let _e10311 = local_52;
-phi_14969_ = (_e10311 - 1i);
+let _e10470 = phi_14961_;
+let _e10472 = select(_e10433, 0i, (_e10433 < 0i));
+let _e10474 = local_51;
+if (_e10472 >= _e10474) {
+let _e10477 = local_52;
+phi_14972_ = (_e10477 - 1i);
 } else {
-phi_14969_ = _e10306;
+phi_14972_ = _e10472;
 }
-let _e10314 = phi_14969_;
-let _e10315 = (_e10267 + 1i);
-let _e10317 = select(_e10315, 0i, (_e10315 < 0i));
-let _e10319 = local_53;
-if (_e10317 >= _e10319) {
-let _e10322 = local_54;
-phi_14981_ = (_e10322 - 1i);
+let _e10480 = phi_14972_;
+let _e10481 = (_e10433 + 1i);
+let _e10483 = select(_e10481, 0i, (_e10481 < 0i));
+let _e10485 = local_53;
+if (_e10483 >= _e10485) {
+let _e10488 = local_54;
+phi_14984_ = (_e10488 - 1i);
 } else {
-phi_14981_ = _e10317;
+phi_14984_ = _e10483;
 }
-let _e10325 = phi_14981_;
-let _e10327 = local_55;
-let _e10330 = local_56;
-let _e10331 = (_e10330 + (_e10314 * _e10327));
-let _e10333 = local_57;
-let _e10336 = local_58;
-let _e10337 = (_e10336 + (_e10325 * _e10333));
-let _e10339 = (3i * (_e10331 + _e10289));
-let _e10341 = (bitcast<i32>(_e181) - 1i);
-let _e10343 = select(_e10341, _e10339, (_e10339 < _e10341));
-let _e10349 = global_3.member[bitcast<u32>(select(0i, _e10343, (_e10343 > 0i)))];
-let _e10350 = (_e10339 + 1i);
-let _e10352 = select(_e10341, _e10350, (_e10350 < _e10341));
-let _e10358 = global_3.member[bitcast<u32>(select(0i, _e10352, (_e10352 > 0i)))];
-let _e10359 = (_e10339 + 2i);
-let _e10361 = select(_e10341, _e10359, (_e10359 < _e10341));
-let _e10367 = global_3.member[bitcast<u32>(select(0i, _e10361, (_e10361 > 0i)))];
-let _e10369 = (3i * (_e10331 + _e10304));
-let _e10371 = select(_e10341, _e10369, (_e10369 < _e10341));
-let _e10377 = global_3.member[bitcast<u32>(select(0i, _e10371, (_e10371 > 0i)))];
-let _e10378 = (_e10369 + 1i);
-let _e10380 = select(_e10341, _e10378, (_e10378 < _e10341));
-let _e10386 = global_3.member[bitcast<u32>(select(0i, _e10380, (_e10380 > 0i)))];
-let _e10387 = (_e10369 + 2i);
-let _e10389 = select(_e10341, _e10387, (_e10387 < _e10341));
-let _e10395 = global_3.member[bitcast<u32>(select(0i, _e10389, (_e10389 > 0i)))];
-let _e10397 = (3i * (_e10337 + _e10289));
-let _e10399 = select(_e10341, _e10397, (_e10397 < _e10341));
-let _e10405 = global_3.member[bitcast<u32>(select(0i, _e10399, (_e10399 > 0i)))];
-let _e10406 = (_e10397 + 1i);
-let _e10408 = select(_e10341, _e10406, (_e10406 < _e10341));
-let _e10414 = global_3.member[bitcast<u32>(select(0i, _e10408, (_e10408 > 0i)))];
-let _e10415 = (_e10397 + 2i);
-let _e10417 = select(_e10341, _e10415, (_e10415 < _e10341));
-let _e10423 = global_3.member[bitcast<u32>(select(0i, _e10417, (_e10417 > 0i)))];
-let _e10425 = (3i * (_e10337 + _e10304));
-let _e10427 = select(_e10341, _e10425, (_e10425 < _e10341));
-let _e10433 = global_3.member[bitcast<u32>(select(0i, _e10427, (_e10427 > 0i)))];
-let _e10434 = (_e10425 + 1i);
-let _e10436 = select(_e10341, _e10434, (_e10434 < _e10341));
-let _e10442 = global_3.member[bitcast<u32>(select(0i, _e10436, (_e10436 > 0i)))];
-let _e10443 = (_e10425 + 2i);
-let _e10445 = select(_e10341, _e10443, (_e10443 < _e10341));
-let _e10451 = global_3.member[bitcast<u32>(select(0i, _e10445, (_e10445 > 0i)))];
-let _e10458 = (_e10349 + ((_e10377 - _e10349) * _e10269));
-let _e10459 = (_e10358 + ((_e10386 - _e10358) * _e10269));
-let _e10460 = (_e10367 + ((_e10395 - _e10367) * _e10269));
-let _e10476 = (_e10458 + (((_e10405 + ((_e10433 - _e10405) * _e10269)) - _e10458) * _e10275));
-let _e10477 = (_e10459 + (((_e10414 + ((_e10442 - _e10414) * _e10269)) - _e10459) * _e10275));
-let _e10478 = (_e10460 + (((_e10423 + ((_e10451 - _e10423) * _e10269)) - _e10460) * _e10275));
-phi_15217_ = 0i;
+let _e10491 = phi_14984_;
+let _e10493 = local_55;
+let _e10496 = local_56;
+let _e10497 = (_e10496 + (_e10480 * _e10493));
+let _e10499 = local_57;
+let _e10502 = local_58;
+let _e10503 = (_e10502 + (_e10491 * _e10499));
+let _e10505 = (3i * (_e10497 + _e10455));
+let _e10507 = (bitcast<i32>(_e181) - 1i);
+let _e10509 = select(_e10507, _e10505, (_e10505 < _e10507));
+let _e10515 = global_3.member[bitcast<u32>(select(0i, _e10509, (_e10509 > 0i)))];
+let _e10516 = (_e10505 + 1i);
+let _e10518 = select(_e10507, _e10516, (_e10516 < _e10507));
+let _e10524 = global_3.member[bitcast<u32>(select(0i, _e10518, (_e10518 > 0i)))];
+let _e10525 = (_e10505 + 2i);
+let _e10527 = select(_e10507, _e10525, (_e10525 < _e10507));
+let _e10533 = global_3.member[bitcast<u32>(select(0i, _e10527, (_e10527 > 0i)))];
+let _e10535 = (3i * (_e10497 + _e10470));
+let _e10537 = select(_e10507, _e10535, (_e10535 < _e10507));
+let _e10543 = global_3.member[bitcast<u32>(select(0i, _e10537, (_e10537 > 0i)))];
+let _e10544 = (_e10535 + 1i);
+let _e10546 = select(_e10507, _e10544, (_e10544 < _e10507));
+let _e10552 = global_3.member[bitcast<u32>(select(0i, _e10546, (_e10546 > 0i)))];
+let _e10553 = (_e10535 + 2i);
+let _e10555 = select(_e10507, _e10553, (_e10553 < _e10507));
+let _e10561 = global_3.member[bitcast<u32>(select(0i, _e10555, (_e10555 > 0i)))];
+let _e10563 = (3i * (_e10503 + _e10455));
+let _e10565 = select(_e10507, _e10563, (_e10563 < _e10507));
+let _e10571 = global_3.member[bitcast<u32>(select(0i, _e10565, (_e10565 > 0i)))];
+let _e10572 = (_e10563 + 1i);
+let _e10574 = select(_e10507, _e10572, (_e10572 < _e10507));
+let _e10580 = global_3.member[bitcast<u32>(select(0i, _e10574, (_e10574 > 0i)))];
+let _e10581 = (_e10563 + 2i);
+let _e10583 = select(_e10507, _e10581, (_e10581 < _e10507));
+let _e10589 = global_3.member[bitcast<u32>(select(0i, _e10583, (_e10583 > 0i)))];
+let _e10591 = (3i * (_e10503 + _e10470));
+let _e10593 = select(_e10507, _e10591, (_e10591 < _e10507));
+let _e10599 = global_3.member[bitcast<u32>(select(0i, _e10593, (_e10593 > 0i)))];
+let _e10600 = (_e10591 + 1i);
+let _e10602 = select(_e10507, _e10600, (_e10600 < _e10507));
+let _e10608 = global_3.member[bitcast<u32>(select(0i, _e10602, (_e10602 > 0i)))];
+let _e10609 = (_e10591 + 2i);
+let _e10611 = select(_e10507, _e10609, (_e10609 < _e10507));
+let _e10617 = global_3.member[bitcast<u32>(select(0i, _e10611, (_e10611 > 0i)))];
+let _e10624 = (_e10515 + ((_e10543 - _e10515) * _e10435));
+let _e10625 = (_e10524 + ((_e10552 - _e10524) * _e10435));
+let _e10626 = (_e10533 + ((_e10561 - _e10533) * _e10435));
+let _e10642 = (_e10624 + (((_e10571 + ((_e10599 - _e10571) * _e10435)) - _e10624) * _e10441));
+let _e10643 = (_e10625 + (((_e10580 + ((_e10608 - _e10580) * _e10435)) - _e10625) * _e10441));
+let _e10644 = (_e10626 + (((_e10589 + ((_e10617 - _e10589) * _e10435)) - _e10626) * _e10441));
 phi_15220_ = 0i;
-phi_15222_ = _e10196;
-phi_15224_ = _e10020;
+phi_15223_ = 0i;
+phi_15225_ = _e10362;
+phi_15227_ = _e10186;
 loop {
-let _e10481 = phi_15217_;
-let _e10483 = phi_15220_;
-let _e10485 = phi_15222_;
-let _e10487 = phi_15224_;
-local_59 = _e10487;
-local_60 = _e10485;
-local_61 = _e10487;
-local_62 = _e10487;
-local_63 = _e10487;
-local_64 = _e10487;
-local_65 = _e10487;
-local_66 = _e10487;
-local_67 = _e10485;
-local_68 = _e10485;
-local_69 = _e10485;
-local_70 = _e10485;
-local_71 = _e10487;
-local_72 = _e10483;
-local_73 = _e10487;
-local_74 = _e10483;
-let _e10488 = (_e10481 < (_e10091 + 1i));
-if _e10488 {
-if (_e10487 > 1i) {
-phi_15239_ = (_e10487 >> bitcast<u32>(1i));
+let _e10647 = phi_15220_;
+let _e10649 = phi_15223_;
+let _e10651 = phi_15225_;
+let _e10653 = phi_15227_;
+local_59 = _e10653;
+local_60 = _e10651;
+local_61 = _e10653;
+local_62 = _e10653;
+local_63 = _e10653;
+local_64 = _e10653;
+local_65 = _e10653;
+local_66 = _e10653;
+local_67 = _e10651;
+local_68 = _e10651;
+local_69 = _e10651;
+local_70 = _e10651;
+local_71 = _e10653;
+local_72 = _e10649;
+local_73 = _e10653;
+local_74 = _e10649;
+let _e10654 = (_e10647 < (_e10257 + 1i));
+if _e10654 {
+if (_e10653 > 1i) {
+phi_15242_ = (_e10653 >> bitcast<u32>(1i));
 } else {
-phi_15239_ = 1i;
+phi_15242_ = 1i;
 }
-let _e10495 = phi_15239_;
-if (_e10485 > 1i) {
-phi_15245_ = (_e10485 >> bitcast<u32>(1i));
+let _e10661 = phi_15242_;
+if (_e10651 > 1i) {
+phi_15248_ = (_e10651 >> bitcast<u32>(1i));
 } else {
-phi_15245_ = 1i;
+phi_15248_ = 1i;
 }
-let _e10500 = phi_15245_;
-phi_15218_ = (_e10481 + 1i);
-phi_15221_ = (_e10483 + (_e10487 * _e10485));
-phi_15223_ = _e10500;
-phi_15225_ = _e10495;
+let _e10666 = phi_15248_;
+phi_15221_ = (_e10647 + 1i);
+phi_15224_ = (_e10649 + (_e10653 * _e10651));
+phi_15226_ = _e10666;
+phi_15228_ = _e10661;
 } else {
-phi_15218_ = i32();
 phi_15221_ = i32();
-phi_15223_ = i32();
-phi_15225_ = i32();
+phi_15224_ = i32();
+phi_15226_ = i32();
+phi_15228_ = i32();
 }
-let _e10503 = phi_15218_;
-let _e10505 = phi_15221_;
-let _e10507 = phi_15223_;
-let _e10509 = phi_15225_;
+let _e10669 = phi_15221_;
+let _e10671 = phi_15224_;
+let _e10673 = phi_15226_;
+let _e10675 = phi_15228_;
 continue;
 continuing {
-phi_15217_ = _e10503;
-phi_15220_ = _e10505;
-phi_15222_ = _e10507;
-phi_15224_ = _e10509;
-break if !(_e10488);
+phi_15220_ = _e10669;
+phi_15223_ = _e10671;
+phi_15225_ = _e10673;
+phi_15227_ = _e10675;
+break if !(_e10654);
 }
 }
-let _e10512 = local_59;
-let _e10513 = f32(_e10512);
-let _e10515 = ((_e10136 * _e10513) - 0.5f);
-let _e10517 = local_60;
-let _e10518 = f32(_e10517);
-let _e10520 = ((_e10191 * _e10518) - 0.5f);
-let _e10522 = select(-1f, _e10515, (_e10515 > -1f));
-let _e10524 = select(_e10513, _e10522, (_e10522 < _e10513));
-let _e10531 = select(0i, select(select(i32(_e10524), i32(-2147483648), (_e10524 < -2147483600f)), 2147483647i, (_e10524 > 2147483500f)), (_e10524 == _e10524));
-let _e10535 = (_e10531 - select(0i, 1i, (_e10524 < f32(_e10531))));
-let _e10537 = select(-1f, _e10520, (_e10520 > -1f));
-let _e10539 = select(_e10518, _e10537, (_e10537 < _e10518));
-let _e10546 = select(0i, select(select(i32(_e10539), i32(-2147483648), (_e10539 < -2147483600f)), 2147483647i, (_e10539 > 2147483500f)), (_e10539 == _e10539));
-let _e10550 = (_e10546 - select(0i, 1i, (_e10539 < f32(_e10546))));
-let _e10552 = (_e10515 - f32(_e10535));
-let _e10554 = (_e10520 - f32(_e10550));
-let _e10556 = select(0f, _e10554, (_e10554 > 0f));
-let _e10558 = select(1f, _e10556, (_e10556 < 1f));
-if (_e10535 < 0i) {
-let _e10561 = local_61;
-phi_15320_ = (_e10535 + _e10561);
+let _e10678 = local_59;
+let _e10679 = f32(_e10678);
+let _e10681 = ((_e10302 * _e10679) - 0.5f);
+let _e10683 = local_60;
+let _e10684 = f32(_e10683);
+let _e10686 = ((_e10357 * _e10684) - 0.5f);
+let _e10688 = select(-1f, _e10681, (_e10681 > -1f));
+let _e10690 = select(_e10679, _e10688, (_e10688 < _e10679));
+let _e10697 = select(0i, select(select(i32(_e10690), i32(-2147483648), (_e10690 < -2147483600f)), 2147483647i, (_e10690 > 2147483500f)), (_e10690 == _e10690));
+let _e10701 = (_e10697 - select(0i, 1i, (_e10690 < f32(_e10697))));
+let _e10703 = select(-1f, _e10686, (_e10686 > -1f));
+let _e10705 = select(_e10684, _e10703, (_e10703 < _e10684));
+let _e10712 = select(0i, select(select(i32(_e10705), i32(-2147483648), (_e10705 < -2147483600f)), 2147483647i, (_e10705 > 2147483500f)), (_e10705 == _e10705));
+let _e10716 = (_e10712 - select(0i, 1i, (_e10705 < f32(_e10712))));
+let _e10718 = (_e10681 - f32(_e10701));
+let _e10720 = (_e10686 - f32(_e10716));
+let _e10722 = select(0f, _e10720, (_e10720 > 0f));
+let _e10724 = select(1f, _e10722, (_e10722 < 1f));
+if (_e10701 < 0i) {
+let _e10727 = local_61;
+phi_15323_ = (_e10701 + _e10727);
 } else {
-phi_15320_ = _e10535;
+phi_15323_ = _e10701;
 }
-let _e10564 = phi_15320_;
-let _e10566 = local_62;
-if (_e10564 >= _e10566) {
-let _e10569 = local_63;
-phi_15326_ = (_e10564 - _e10569);
+let _e10730 = phi_15323_;
+let _e10732 = local_62;
+if (_e10730 >= _e10732) {
+let _e10735 = local_63;
+phi_15329_ = (_e10730 - _e10735);
 } else {
-phi_15326_ = _e10564;
+phi_15329_ = _e10730;
 }
-let _e10572 = phi_15326_;
-let _e10573 = (_e10535 + 1i);
-if (_e10573 < 0i) {
-let _e10576 = local_64;
-phi_15333_ = (_e10573 + _e10576);
+let _e10738 = phi_15329_;
+let _e10739 = (_e10701 + 1i);
+if (_e10739 < 0i) {
+let _e10742 = local_64;
+phi_15336_ = (_e10739 + _e10742);
 } else {
-phi_15333_ = _e10573;
+phi_15336_ = _e10739;
 }
-let _e10579 = phi_15333_;
-let _e10581 = local_65;
-if (_e10579 >= _e10581) {
-let _e10584 = local_66;
-phi_15339_ = (_e10579 - _e10584);
+let _e10745 = phi_15336_;
+let _e10747 = local_65;
+if (_e10745 >= _e10747) {
+let _e10750 = local_66;
+phi_15342_ = (_e10745 - _e10750);
 } else {
-phi_15339_ = _e10579;
+phi_15342_ = _e10745;
 }
-let _e10587 = phi_15339_;
-let _e10589 = select(_e10550, 0i, (_e10550 < 0i));
-let _e10591 = local_67;
-if (_e10589 >= _e10591) {
-let _e10594 = local_68;
-phi_15350_ = (_e10594 - 1i);
+let _e10753 = phi_15342_;
+let _e10755 = select(_e10716, 0i, (_e10716 < 0i));
+let _e10757 = local_67;
+if (_e10755 >= _e10757) {
+let _e10760 = local_68;
+phi_15353_ = (_e10760 - 1i);
 } else {
-phi_15350_ = _e10589;
+phi_15353_ = _e10755;
 }
-let _e10597 = phi_15350_;
-let _e10598 = (_e10550 + 1i);
-let _e10600 = select(_e10598, 0i, (_e10598 < 0i));
-let _e10602 = local_69;
-if (_e10600 >= _e10602) {
-let _e10605 = local_70;
-phi_15362_ = (_e10605 - 1i);
+let _e10763 = phi_15353_;
+let _e10764 = (_e10716 + 1i);
+let _e10766 = select(_e10764, 0i, (_e10764 < 0i));
+let _e10768 = local_69;
+if (_e10766 >= _e10768) {
+let _e10771 = local_70;
+phi_15365_ = (_e10771 - 1i);
 } else {
-phi_15362_ = _e10600;
+phi_15365_ = _e10766;
 }
-let _e10608 = phi_15362_;
-let _e10610 = local_71;
-let _e10613 = local_72;
-let _e10614 = (_e10613 + (_e10597 * _e10610));
-let _e10616 = local_73;
-let _e10619 = local_74;
-let _e10620 = (_e10619 + (_e10608 * _e10616));
-let _e10622 = (3i * (_e10614 + _e10572));
-let _e10624 = select(_e10341, _e10622, (_e10622 < _e10341));
-let _e10630 = global_3.member[bitcast<u32>(select(0i, _e10624, (_e10624 > 0i)))];
-let _e10631 = (_e10622 + 1i);
-let _e10633 = select(_e10341, _e10631, (_e10631 < _e10341));
-let _e10639 = global_3.member[bitcast<u32>(select(0i, _e10633, (_e10633 > 0i)))];
-let _e10640 = (_e10622 + 2i);
-let _e10642 = select(_e10341, _e10640, (_e10640 < _e10341));
-let _e10648 = global_3.member[bitcast<u32>(select(0i, _e10642, (_e10642 > 0i)))];
-let _e10650 = (3i * (_e10614 + _e10587));
-let _e10652 = select(_e10341, _e10650, (_e10650 < _e10341));
-let _e10658 = global_3.member[bitcast<u32>(select(0i, _e10652, (_e10652 > 0i)))];
-let _e10659 = (_e10650 + 1i);
-let _e10661 = select(_e10341, _e10659, (_e10659 < _e10341));
-let _e10667 = global_3.member[bitcast<u32>(select(0i, _e10661, (_e10661 > 0i)))];
-let _e10668 = (_e10650 + 2i);
-let _e10670 = select(_e10341, _e10668, (_e10668 < _e10341));
-let _e10676 = global_3.member[bitcast<u32>(select(0i, _e10670, (_e10670 > 0i)))];
-let _e10678 = (3i * (_e10620 + _e10572));
-let _e10680 = select(_e10341, _e10678, (_e10678 < _e10341));
-let _e10686 = global_3.member[bitcast<u32>(select(0i, _e10680, (_e10680 > 0i)))];
-let _e10687 = (_e10678 + 1i);
-let _e10689 = select(_e10341, _e10687, (_e10687 < _e10341));
-let _e10695 = global_3.member[bitcast<u32>(select(0i, _e10689, (_e10689 > 0i)))];
-let _e10696 = (_e10678 + 2i);
-let _e10698 = select(_e10341, _e10696, (_e10696 < _e10341));
-let _e10704 = global_3.member[bitcast<u32>(select(0i, _e10698, (_e10698 > 0i)))];
-let _e10706 = (3i * (_e10620 + _e10587));
-let _e10708 = select(_e10341, _e10706, (_e10706 < _e10341));
-let _e10714 = global_3.member[bitcast<u32>(select(0i, _e10708, (_e10708 > 0i)))];
-let _e10715 = (_e10706 + 1i);
-let _e10717 = select(_e10341, _e10715, (_e10715 < _e10341));
-let _e10723 = global_3.member[bitcast<u32>(select(0i, _e10717, (_e10717 > 0i)))];
-let _e10724 = (_e10706 + 2i);
-let _e10726 = select(_e10341, _e10724, (_e10724 < _e10341));
-let _e10732 = global_3.member[bitcast<u32>(select(0i, _e10726, (_e10726 > 0i)))];
-let _e10739 = (_e10630 + ((_e10658 - _e10630) * _e10552));
-let _e10740 = (_e10639 + ((_e10667 - _e10639) * _e10552));
-let _e10741 = (_e10648 + ((_e10676 - _e10648) * _e10552));
-let _e10764 = (_e10073 - f32(_e10091));
-let _e10766 = select(0f, _e10764, (_e10764 > 0f));
-let _e10768 = select(1f, _e10766, (_e10766 < 1f));
-let _e10778 = global_1.member.member_15.member_11;
-phi_15617_ = vec3<f32>(((_e10476 + (((_e10739 + (((_e10686 + ((_e10714 - _e10686) * _e10552)) - _e10739) * _e10558)) - _e10476) * _e10768)) * _e10778), ((_e10477 + (((_e10740 + (((_e10695 + ((_e10723 - _e10695) * _e10552)) - _e10740) * _e10558)) - _e10477) * _e10768)) * _e10778), ((_e10478 + (((_e10741 + (((_e10704 + ((_e10732 - _e10704) * _e10552)) - _e10741) * _e10558)) - _e10478) * _e10768)) * _e10778));
+let _e10774 = phi_15365_;
+let _e10776 = local_71;
+let _e10779 = local_72;
+let _e10780 = (_e10779 + (_e10763 * _e10776));
+let _e10782 = local_73;
+let _e10785 = local_74;
+let _e10786 = (_e10785 + (_e10774 * _e10782));
+let _e10788 = (3i * (_e10780 + _e10738));
+let _e10790 = select(_e10507, _e10788, (_e10788 < _e10507));
+let _e10796 = global_3.member[bitcast<u32>(select(0i, _e10790, (_e10790 > 0i)))];
+let _e10797 = (_e10788 + 1i);
+let _e10799 = select(_e10507, _e10797, (_e10797 < _e10507));
+let _e10805 = global_3.member[bitcast<u32>(select(0i, _e10799, (_e10799 > 0i)))];
+let _e10806 = (_e10788 + 2i);
+let _e10808 = select(_e10507, _e10806, (_e10806 < _e10507));
+let _e10814 = global_3.member[bitcast<u32>(select(0i, _e10808, (_e10808 > 0i)))];
+let _e10816 = (3i * (_e10780 + _e10753));
+let _e10818 = select(_e10507, _e10816, (_e10816 < _e10507));
+let _e10824 = global_3.member[bitcast<u32>(select(0i, _e10818, (_e10818 > 0i)))];
+let _e10825 = (_e10816 + 1i);
+let _e10827 = select(_e10507, _e10825, (_e10825 < _e10507));
+let _e10833 = global_3.member[bitcast<u32>(select(0i, _e10827, (_e10827 > 0i)))];
+let _e10834 = (_e10816 + 2i);
+let _e10836 = select(_e10507, _e10834, (_e10834 < _e10507));
+let _e10842 = global_3.member[bitcast<u32>(select(0i, _e10836, (_e10836 > 0i)))];
+let _e10844 = (3i * (_e10786 + _e10738));
+let _e10846 = select(_e10507, _e10844, (_e10844 < _e10507));
+let _e10852 = global_3.member[bitcast<u32>(select(0i, _e10846, (_e10846 > 0i)))];
+let _e10853 = (_e10844 + 1i);
+let _e10855 = select(_e10507, _e10853, (_e10853 < _e10507));
+let _e10861 = global_3.member[bitcast<u32>(select(0i, _e10855, (_e10855 > 0i)))];
+let _e10862 = (_e10844 + 2i);
+let _e10864 = select(_e10507, _e10862, (_e10862 < _e10507));
+let _e10870 = global_3.member[bitcast<u32>(select(0i, _e10864, (_e10864 > 0i)))];
+let _e10872 = (3i * (_e10786 + _e10753));
+let _e10874 = select(_e10507, _e10872, (_e10872 < _e10507));
+let _e10880 = global_3.member[bitcast<u32>(select(0i, _e10874, (_e10874 > 0i)))];
+let _e10881 = (_e10872 + 1i);
+let _e10883 = select(_e10507, _e10881, (_e10881 < _e10507));
+let _e10889 = global_3.member[bitcast<u32>(select(0i, _e10883, (_e10883 > 0i)))];
+let _e10890 = (_e10872 + 2i);
+let _e10892 = select(_e10507, _e10890, (_e10890 < _e10507));
+let _e10898 = global_3.member[bitcast<u32>(select(0i, _e10892, (_e10892 > 0i)))];
+let _e10905 = (_e10796 + ((_e10824 - _e10796) * _e10718));
+let _e10906 = (_e10805 + ((_e10833 - _e10805) * _e10718));
+let _e10907 = (_e10814 + ((_e10842 - _e10814) * _e10718));
+let _e10930 = (_e10239 - f32(_e10257));
+let _e10932 = select(0f, _e10930, (_e10930 > 0f));
+let _e10934 = select(1f, _e10932, (_e10932 < 1f));
+let _e10944 = global_1.member.member_15.member_11;
+phi_15620_ = vec3<f32>(((_e10642 + (((_e10905 + (((_e10852 + ((_e10880 - _e10852) * _e10718)) - _e10905) * _e10724)) - _e10642) * _e10934)) * _e10944), ((_e10643 + (((_e10906 + (((_e10861 + ((_e10889 - _e10861) * _e10718)) - _e10906) * _e10724)) - _e10643) * _e10934)) * _e10944), ((_e10644 + (((_e10907 + (((_e10870 + ((_e10898 - _e10870) * _e10718)) - _e10907) * _e10724)) - _e10644) * _e10934)) * _e10944));
 }
-let _e10984 = phi_15617_;
-phi_15618_ = _e10984;
+let _e11150 = phi_15620_;
+phi_15621_ = _e11150;
 }
-let _e11020 = phi_15618_;
-phi_15619_ = _e11020;
+let _e11186 = phi_15621_;
+phi_15622_ = _e11186;
 }
-let _e11022 = phi_15619_;
-let _e11026 = global_1.member.member_15.member_12;
-let _e11027 = select(1f, _e11026, _e716);
-phi_17456_ = type_25(_e8716.member, _e8716.member_1, _e8716.member_2, vec3<f32>((_e8716.member_3.x + (((_e11022.x * _e1435) * _e803) * _e11027)), (_e8716.member_3.y + (((_e11022.y * _e1483) * _e804) * _e11027)), (_e8716.member_3.z + (((_e11022.z * _e1531) * _e805) * _e11027))), _e8716.member_4, _e8716.member_5, _e8716.member_6, _e8716.member_7, _e8716.member_8, _e8716.member_9);
+let _e11188 = phi_15622_;
+let _e11192 = global_1.member.member_15.member_12;
+let _e11193 = select(1f, _e11192, _e716);
+phi_17611_ = type_26(_e8716.member, _e8716.member_1, _e8716.member_2, vec3<f32>((_e8716.member_3.x + (((_e11188.x * _e1435) * _e803) * _e11193)), (_e8716.member_3.y + (((_e11188.y * _e1483) * _e804) * _e11193)), (_e8716.member_3.z + (((_e11188.z * _e1531) * _e805) * _e11193))), _e8716.member_4, _e8716.member_5, _e8716.member_6, _e8716.member_7, _e8716.member_8, _e8716.member_9);
 } else {
 if _e8606 {
 let _e8721 = global_1.member.member_10.member_2;
@@ -4225,7 +4238,7 @@ let _e8729 = global_1.member.member_10.member;
 let _e8730 = (_e8729 == 0u);
 if _e8730 {
 let _e9078 = global_1.member.member_10.member_1;
-phi_16175_ = type_26(vec3<f32>(_e9078.member, _e9078.member_1, _e9078.member_2), vec3<f32>(_e8721.member, _e8721.member_1, _e8721.member_2));
+phi_16178_ = type_27(vec3<f32>(_e9078.member, _e9078.member_1, _e9078.member_2), vec3<f32>(_e8721.member, _e8721.member_1, _e8721.member_2));
 } else {
 let _e8734 = global_1.member.member_10.member_3;
 let _e8739 = (_e8569.member.x - _e8734.member);
@@ -4327,20 +4340,20 @@ let _e9029 = global_3.member[bitcast<u32>(select(0i, _e9024, (_e9024 > 0i)))];
 let _e9036 = (_e8929 + ((_e8957 - _e8929) * _e8900));
 let _e9037 = (_e8937 + ((_e8965 - _e8937) * _e8900));
 let _e9038 = (_e8945 + ((_e8973 - _e8945) * _e8900));
-phi_16159_ = vec3<f32>(((_e9036 + (((_e8985 + ((_e9013 - _e8985) * _e8900)) - _e9036) * _e8902)) * _e8827), ((_e9037 + (((_e8993 + ((_e9021 - _e8993) * _e8900)) - _e9037) * _e8902)) * _e8827), ((_e9038 + (((_e9001 + ((_e9029 - _e9001) * _e8900)) - _e9038) * _e8902)) * _e8827));
+phi_16162_ = vec3<f32>(((_e9036 + (((_e8985 + ((_e9013 - _e8985) * _e8900)) - _e9036) * _e8902)) * _e8827), ((_e9037 + (((_e8993 + ((_e9021 - _e8993) * _e8900)) - _e9037) * _e8902)) * _e8827), ((_e9038 + (((_e9001 + ((_e9029 - _e9001) * _e8900)) - _e9038) * _e8902)) * _e8827));
 } else {
-phi_16159_ = vec3(_e8827);
+phi_16162_ = vec3(_e8827);
 }
-let _e9062 = phi_16159_;
-phi_16162_ = (_e8755 * _e9062);
+let _e9062 = phi_16162_;
+phi_16165_ = (_e8755 * _e9062);
 } else {
-phi_16162_ = _e8755;
+phi_16165_ = _e8755;
 }
-let _e9065 = phi_16162_;
+let _e9065 = phi_16165_;
 let _e9069 = (1f / sqrt(select(0f, _e8750, (_e8750 > 0f))));
-phi_16175_ = type_26(vec3<f32>((_e8739 * _e9069), (_e8741 * _e9069), (_e8743 * _e9069)), _e9065);
+phi_16178_ = type_27(vec3<f32>((_e8739 * _e9069), (_e8741 * _e9069), (_e8743 * _e9069)), _e9065);
 }
-let _e9085 = phi_16175_;
+let _e9085 = phi_16178_;
 let _e9087 = (bitcast<i32>(arrayLength((&global_8.member))) - 1i);
 let _e9089 = select(_e9087, _e528, (_e528 < _e9087));
 let _e9095 = global_8.member[bitcast<u32>(select(0i, _e9089, (_e9089 > 0i)))];
@@ -4378,14 +4391,14 @@ let _e9185 = (_e9184 > _e9182);
 let _e9186 = select(0f, _e9182, _e9185);
 let _e9188 = (select(0f, _e9184, _e9185) - _e9186);
 if _e888 {
-phi_17103_ = _e9188;
+phi_17106_ = _e9188;
 } else {
 let _e9190 = (_e9188 / f32(_e887));
-phi_16384_ = 0u;
-phi_16387_ = 0f;
+phi_16387_ = 0u;
+phi_16390_ = 0f;
 loop {
-let _e9192 = phi_16384_;
-let _e9194 = phi_16387_;
+let _e9192 = phi_16387_;
+let _e9194 = phi_16390_;
 local_82 = _e9194;
 let _e9197 = ((_e9192 < _e887) && (_e9188 > 0f));
 if _e9197 {
@@ -4437,29 +4450,29 @@ local_2 = (_e9238 - f32(_e9275));
 let _e9312 = (_e9275 + 1i);
 let _e9314 = select(_e9312, 0i, (_e9312 < 0i));
 if (_e9314 >= _e9217) {
-phi_16525_ = (_e9217 - 1i);
+phi_16528_ = (_e9217 - 1i);
 } else {
-phi_16525_ = _e9314;
+phi_16528_ = _e9314;
 }
-let _e9318 = phi_16525_;
+let _e9318 = phi_16528_;
 local_3 = (_e9318 - _e9275);
 let _e9320 = (_e9290 + 1i);
 let _e9322 = select(_e9320, 0i, (_e9320 < 0i));
 if (_e9322 >= _e9222) {
-phi_16538_ = (_e9222 - 1i);
+phi_16541_ = (_e9222 - 1i);
 } else {
-phi_16538_ = _e9322;
+phi_16541_ = _e9322;
 }
-let _e9326 = phi_16538_;
+let _e9326 = phi_16541_;
 let _e9328 = ((_e9326 - _e9290) * _e9217);
 let _e9329 = (_e9305 + 1i);
 let _e9331 = select(_e9329, 0i, (_e9329 < 0i));
 if (_e9331 >= _e9227) {
-phi_16552_ = (_e9227 - 1i);
+phi_16555_ = (_e9227 - 1i);
 } else {
-phi_16552_ = _e9331;
+phi_16555_ = _e9331;
 }
-let _e9335 = phi_16552_;
+let _e9335 = phi_16555_;
 let _e9342 = global_1.member.member_13.member_10;
 let _e9343 = bitcast<i32>(_e9342);
 let _e9348 = ((_e9343 + (((_e9305 * _e9222) + _e9290) * _e9217)) + _e9275);
@@ -4527,29 +4540,29 @@ local = (_e9465 - f32(_e9496));
 let _e9533 = (_e9496 + 1i);
 let _e9535 = select(_e9533, 0i, (_e9533 < 0i));
 if (_e9535 >= _e9217) {
-phi_16871_ = (_e9217 - 1i);
+phi_16874_ = (_e9217 - 1i);
 } else {
-phi_16871_ = _e9535;
+phi_16874_ = _e9535;
 }
-let _e9539 = phi_16871_;
+let _e9539 = phi_16874_;
 local_1 = (_e9539 - _e9496);
 let _e9541 = (_e9511 + 1i);
 let _e9543 = select(_e9541, 0i, (_e9541 < 0i));
 if (_e9543 >= _e9222) {
-phi_16884_ = (_e9222 - 1i);
+phi_16887_ = (_e9222 - 1i);
 } else {
-phi_16884_ = _e9543;
+phi_16887_ = _e9543;
 }
-let _e9547 = phi_16884_;
+let _e9547 = phi_16887_;
 let _e9549 = ((_e9547 - _e9511) * _e9217);
 let _e9550 = (_e9526 + 1i);
 let _e9552 = select(_e9550, 0i, (_e9550 < 0i));
 if (_e9552 >= _e9227) {
-phi_16898_ = (_e9227 - 1i);
+phi_16901_ = (_e9227 - 1i);
 } else {
-phi_16898_ = _e9552;
+phi_16901_ = _e9552;
 }
-let _e9556 = phi_16898_;
+let _e9556 = phi_16901_;
 let _e9564 = ((_e9343 + (((_e9526 * _e9222) + _e9511) * _e9217)) + _e9496);
 let _e9566 = select(_e8592, _e9564, (_e9564 < _e8592));
 let _e9571 = global_7.member[bitcast<u32>(select(0i, _e9566, (_e9566 > 0i)))];
@@ -4587,25 +4600,25 @@ let _e9650 = (_e9638 + _e9649);
 let _e9652 = select(_e8592, _e9650, (_e9650 < _e8592));
 let _e9657 = global_7.member[bitcast<u32>(select(0i, _e9652, (_e9652 > 0i)))];
 let _e9658 = local;
-phi_16385_ = (_e9192 + 1u);
-phi_16388_ = (_e9194 + ((0.5f * (((((((_e9355 * (1f - _e9356)) + (_e9367 * _e9368)) * _e9371) + (((_e9380 * (1f - _e9381)) + (_e9392 * _e9393)) * _e9309)) * (1f - _e9311)) + (((((_e9405 * (1f - _e9406)) + (_e9417 * _e9418)) * _e9371) + (((_e9429 * (1f - _e9430)) + (_e9441 * _e9442)) * _e9309)) * _e9311)) + ((((((_e9571 * (1f - _e9572)) + (_e9583 * _e9584)) * _e9587) + (((_e9596 * (1f - _e9597)) + (_e9608 * _e9609)) * _e9530)) * (1f - _e9532)) + (((((_e9621 * (1f - _e9622)) + (_e9633 * _e9634)) * _e9587) + (((_e9645 * (1f - _e9646)) + (_e9657 * _e9658)) * _e9530)) * _e9532)))) * _e9204));
+phi_16388_ = (_e9192 + 1u);
+phi_16391_ = (_e9194 + ((0.5f * (((((((_e9355 * (1f - _e9356)) + (_e9367 * _e9368)) * _e9371) + (((_e9380 * (1f - _e9381)) + (_e9392 * _e9393)) * _e9309)) * (1f - _e9311)) + (((((_e9405 * (1f - _e9406)) + (_e9417 * _e9418)) * _e9371) + (((_e9429 * (1f - _e9430)) + (_e9441 * _e9442)) * _e9309)) * _e9311)) + ((((((_e9571 * (1f - _e9572)) + (_e9583 * _e9584)) * _e9587) + (((_e9596 * (1f - _e9597)) + (_e9608 * _e9609)) * _e9530)) * (1f - _e9532)) + (((((_e9621 * (1f - _e9622)) + (_e9633 * _e9634)) * _e9587) + (((_e9645 * (1f - _e9646)) + (_e9657 * _e9658)) * _e9530)) * _e9532)))) * _e9204));
 } else {
-phi_16385_ = u32();
-phi_16388_ = f32();
+phi_16388_ = u32();
+phi_16391_ = f32();
 }
-let _e9673 = phi_16385_;
-let _e9675 = phi_16388_;
+let _e9673 = phi_16388_;
+let _e9675 = phi_16391_;
 continue;
 continuing {
-phi_16384_ = _e9673;
-phi_16387_ = _e9675;
+phi_16387_ = _e9673;
+phi_16390_ = _e9675;
 break if !(_e9197);
 }
 }
-let _e11287 = local_82;
-phi_17103_ = _e11287;
+let _e11453 = local_82;
+phi_17106_ = _e11453;
 }
-let _e9678 = phi_17103_;
+let _e9678 = phi_17106_;
 let _e9680 = -((_e1384.member * _e9678));
 let _e9682 = select(-87f, _e9680, (_e9680 > -87f));
 let _e9684 = select(88f, _e9682, (_e9682 < 88f));
@@ -4644,40 +4657,67 @@ let _e9850 = (_e8569.member_2.x * _e9849);
 let _e9851 = (_e8569.member_2.y * _e9849);
 let _e9852 = (_e8569.member_2.z * _e9849);
 let _e9861 = ((((_e9850 * _e547) + (_e9851 * _e558)) + (_e9852 * _e569)) > 0f);
-let _e9870 = -((((select(_e9850, (_e8569.member_1.x * _e9837), _e9861) * _e9085.member.x) + (select(_e9851, (_e8569.member_1.y * _e9837), _e9861) * _e9085.member.y)) + (select(_e9852, (_e8569.member_1.z * _e9837), _e9861) * _e9085.member.z)));
+let _e9862 = select(_e9850, (_e8569.member_1.x * _e9837), _e9861);
+let _e9863 = select(_e9851, (_e8569.member_1.y * _e9837), _e9861);
+let _e9864 = select(_e9852, (_e8569.member_1.z * _e9837), _e9861);
+let _e9870 = -((((_e9862 * _e9085.member.x) + (_e9863 * _e9085.member.y)) + (_e9864 * _e9085.member.z)));
 let _e9880 = -(_e9870);
 let _e9885 = select((select(0f, _e9880, (_e9880 > 0f)) * _e8569.member_4), select(0f, _e9870, (_e9870 > 0f)), (((((_e8569.member_1.x * _e9085.member.x) + (_e8569.member_1.y * _e9085.member.y)) + (_e8569.member_1.z * _e9085.member.z)) * _e9835) > 0f));
-let _e9899 = global_1.member.member_16;
-phi_17455_ = type_25(_e8716.member, _e8716.member_1, _e8716.member_2, vec3<f32>((_e8716.member_3.x + (((_e8569.member_3.x * (((_e9085.member_1.x * (((1f + (_e9706 * (1f + (_e9706 * (0.5f + (_e9706 * (0.16666667f + (_e9706 * (0.041666668f + (_e9706 * (0.008333334f + (_e9706 * (0.001388889f + (_e9706 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9701 + 127i)) << bitcast<u32>(23i)))) * _e9823)) * _e9885) + _e9899.member)) * _e1435) * _e803)), (_e8716.member_3.y + (((_e8569.member_3.y * (((_e9085.member_1.y * (((1f + (_e9754 * (1f + (_e9754 * (0.5f + (_e9754 * (0.16666667f + (_e9754 * (0.041666668f + (_e9754 * (0.008333334f + (_e9754 * (0.001388889f + (_e9754 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9749 + 127i)) << bitcast<u32>(23i)))) * _e9823)) * _e9885) + _e9899.member_1)) * _e1483) * _e804)), (_e8716.member_3.z + (((_e8569.member_3.z * (((_e9085.member_1.z * (((1f + (_e9802 * (1f + (_e9802 * (0.5f + (_e9802 * (0.16666667f + (_e9802 * (0.041666668f + (_e9802 * (0.008333334f + (_e9802 * (0.001388889f + (_e9802 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9797 + 127i)) << bitcast<u32>(23i)))) * _e9823)) * _e9885) + _e9899.member_2)) * _e1531) * _e805))), _e8716.member_4, _e8716.member_5, _e8716.member_6, _e8716.member_7, _e8716.member_8, _e8716.member_9);
+let _e9889 = global_1.member.member_15.member_4;
+let _e9897 = (((_e9889.member * _e9862) + (_e9889.member_1 * _e9863)) + (_e9889.member_2 * _e9864));
+let _e9901 = global_1.member.member_15.member_5;
+let _e9909 = (((_e9901.member * _e9862) + (_e9901.member_1 * _e9863)) + (_e9901.member_2 * _e9864));
+let _e9913 = global_1.member.member_15.member_6;
+let _e9921 = (((_e9913.member * _e9862) + (_e9913.member_1 * _e9863)) + (_e9913.member_2 * _e9864));
+let _e9925 = global_1.member.member_16.member_1;
+let _e9935 = global_1.member.member_16.member_2;
+let _e9948 = global_1.member.member_16.member_3;
+let _e9961 = global_1.member.member_16.member_4;
+let _e9965 = (_e9897 * _e9897);
+let _e9972 = global_1.member.member_16.member_5;
+let _e9976 = (_e9909 * _e9909);
+let _e9986 = global_1.member.member_16.member_6;
+let _e9990 = (_e9921 * _e9921);
+let _e10000 = global_1.member.member_16.member_7;
+let _e10004 = (_e9897 * _e9909);
+let _e10011 = global_1.member.member_16.member_8;
+let _e10015 = (_e9897 * _e9921);
+let _e10025 = global_1.member.member_16.member_9;
+let _e10029 = (_e9909 * _e9921);
+let _e10039 = global_1.member.member_16.member;
+let _e10049 = ((_e10039.member + (((_e9925.member * _e9897) + (_e9935.member * _e9909)) + (_e9948.member * _e9921))) + ((((_e9961.member * _e9965) + (_e9972.member * _e9976)) + (_e9986.member * _e9990)) + (((_e10000.member * _e10004) + (_e10011.member * _e10015)) + (_e10025.member * _e10029))));
+let _e10050 = ((_e10039.member_1 + (((_e9925.member_1 * _e9897) + (_e9935.member_1 * _e9909)) + (_e9948.member_1 * _e9921))) + ((((_e9961.member_1 * _e9965) + (_e9972.member_1 * _e9976)) + (_e9986.member_1 * _e9990)) + (((_e10000.member_1 * _e10004) + (_e10011.member_1 * _e10015)) + (_e10025.member_1 * _e10029))));
+let _e10051 = ((_e10039.member_2 + (((_e9925.member_2 * _e9897) + (_e9935.member_2 * _e9909)) + (_e9948.member_2 * _e9921))) + ((((_e9961.member_2 * _e9965) + (_e9972.member_2 * _e9976)) + (_e9986.member_2 * _e9990)) + (((_e10000.member_2 * _e10004) + (_e10011.member_2 * _e10015)) + (_e10025.member_2 * _e10029))));
+phi_17610_ = type_26(_e8716.member, _e8716.member_1, _e8716.member_2, vec3<f32>((_e8716.member_3.x + (((_e8569.member_3.x * (((_e9085.member_1.x * (((1f + (_e9706 * (1f + (_e9706 * (0.5f + (_e9706 * (0.16666667f + (_e9706 * (0.041666668f + (_e9706 * (0.008333334f + (_e9706 * (0.001388889f + (_e9706 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9701 + 127i)) << bitcast<u32>(23i)))) * _e9823)) * _e9885) + select(0f, _e10049, (_e10049 > 0f)))) * _e1435) * _e803)), (_e8716.member_3.y + (((_e8569.member_3.y * (((_e9085.member_1.y * (((1f + (_e9754 * (1f + (_e9754 * (0.5f + (_e9754 * (0.16666667f + (_e9754 * (0.041666668f + (_e9754 * (0.008333334f + (_e9754 * (0.001388889f + (_e9754 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9749 + 127i)) << bitcast<u32>(23i)))) * _e9823)) * _e9885) + select(0f, _e10050, (_e10050 > 0f)))) * _e1483) * _e804)), (_e8716.member_3.z + (((_e8569.member_3.z * (((_e9085.member_1.z * (((1f + (_e9802 * (1f + (_e9802 * (0.5f + (_e9802 * (0.16666667f + (_e9802 * (0.041666668f + (_e9802 * (0.008333334f + (_e9802 * (0.001388889f + (_e9802 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9797 + 127i)) << bitcast<u32>(23i)))) * _e9823)) * _e9885) + select(0f, _e10051, (_e10051 > 0f)))) * _e1531) * _e805))), _e8716.member_4, _e8716.member_5, _e8716.member_6, _e8716.member_7, _e8716.member_8, _e8716.member_9);
 } else {
-phi_17455_ = _e8716;
+phi_17610_ = _e8716;
 }
-let _e9939 = phi_17455_;
-phi_17456_ = _e9939;
+let _e10105 = phi_17610_;
+phi_17611_ = _e10105;
 }
-let _e11061 = phi_17456_;
-global_6.member[_e204] = _e11061.member;
-global_6.member[_e216] = _e11061.member_1;
-global_6.member[_e227] = _e11061.member_2;
-global_6.member[_e238] = _e11061.member_3.x;
-global_6.member[_e249] = _e11061.member_3.y;
-global_6.member[_e260] = _e11061.member_3.z;
-global_6.member[_e271] = _e11061.member_4.x;
-global_6.member[_e282] = _e11061.member_4.y;
-global_6.member[_e293] = _e11061.member_4.z;
-global_6.member[_e304] = _e11061.member_5.x;
-global_6.member[_e315] = _e11061.member_5.y;
-global_6.member[_e326] = _e11061.member_5.z;
-global_6.member[_e337] = _e11061.member_6.x;
-global_6.member[_e348] = _e11061.member_6.y;
-global_6.member[_e359] = _e11061.member_6.z;
-global_6.member[_e370] = _e11061.member_7.x;
-global_6.member[_e381] = _e11061.member_7.y;
-global_6.member[_e392] = _e11061.member_7.z;
-global_6.member[_e403] = _e11061.member_8;
-global_6.member[_e414] = _e11061.member_9.x;
-global_6.member[_e425] = _e11061.member_9.y;
-global_6.member[_e436] = _e11061.member_9.z;
+let _e11227 = phi_17611_;
+global_6.member[_e204] = _e11227.member;
+global_6.member[_e216] = _e11227.member_1;
+global_6.member[_e227] = _e11227.member_2;
+global_6.member[_e238] = _e11227.member_3.x;
+global_6.member[_e249] = _e11227.member_3.y;
+global_6.member[_e260] = _e11227.member_3.z;
+global_6.member[_e271] = _e11227.member_4.x;
+global_6.member[_e282] = _e11227.member_4.y;
+global_6.member[_e293] = _e11227.member_4.z;
+global_6.member[_e304] = _e11227.member_5.x;
+global_6.member[_e315] = _e11227.member_5.y;
+global_6.member[_e326] = _e11227.member_5.z;
+global_6.member[_e337] = _e11227.member_6.x;
+global_6.member[_e348] = _e11227.member_6.y;
+global_6.member[_e359] = _e11227.member_6.z;
+global_6.member[_e370] = _e11227.member_7.x;
+global_6.member[_e381] = _e11227.member_7.y;
+global_6.member[_e392] = _e11227.member_7.z;
+global_6.member[_e403] = _e11227.member_8;
+global_6.member[_e414] = _e11227.member_9.x;
+global_6.member[_e425] = _e11227.member_9.y;
+global_6.member[_e436] = _e11227.member_9.z;
 }
 }
 }

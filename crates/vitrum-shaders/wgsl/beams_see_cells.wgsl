@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,30 +150,30 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
+member_18: type_21,
+member_19: type_22,
 }
-struct type_23 {
-member: type_22,
+struct type_24 {
+member: type_23,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(3)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(0)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(1)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(2)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -179,27 +191,27 @@ var local_12: f32;
 var local_13: i32;
 var local_14: i32;
 var local_15: i32;
-var phi_1829_: vec3<f32>;
-var phi_1832_: i32;
-var phi_1834_: f32;
-var phi_1977_: i32;
-var phi_1990_: i32;
-var phi_2004_: i32;
-var phi_2320_: i32;
-var phi_2333_: i32;
-var phi_2347_: i32;
-var phi_2550_: f32;
-var phi_2663_: i32;
-var phi_2676_: i32;
-var phi_2690_: i32;
-var phi_2890_: f32;
 var phi_1830_: vec3<f32>;
 var phi_1833_: i32;
 var phi_1835_: f32;
+var phi_1978_: i32;
+var phi_1991_: i32;
+var phi_2005_: i32;
+var phi_2321_: i32;
+var phi_2334_: i32;
+var phi_2348_: i32;
+var phi_2551_: f32;
+var phi_2664_: i32;
+var phi_2677_: i32;
+var phi_2691_: i32;
+var phi_2891_: f32;
+var phi_1831_: vec3<f32>;
+var phi_1834_: i32;
+var phi_1836_: f32;
 var local_16: vec3<f32>;
 var local_17: vec3<f32>;
 var local_18: vec3<f32>;
-var phi_3941_: array<f32, 22>;
+var phi_3942_: array<f32, 22>;
 let _e94 = global;
 let _e103 = arrayLength((&global_1.member));
 let _e108 = global_3.member.member;
@@ -396,18 +408,18 @@ let _e702 = (_e701 > _e699);
 let _e703 = select(0f, _e699, _e702);
 let _e704 = select(0f, _e701, _e702);
 if ((_e704 <= _e703) || ((((_e625 + _e626) + _e627) * (1f / 3f)) < 0.01f)) {
-phi_3941_ = array<f32, 22>(_e128, _e138, _e149, _e160, _e171, _e182, _e193, _e204, _e215, _e226, _e237, _e248, _e259, _e270, _e281, _e292, _e303, _e314, _e325, _e336, _e347, _e358);
+phi_3942_ = array<f32, 22>(_e128, _e138, _e149, _e160, _e171, _e182, _e193, _e204, _e215, _e226, _e237, _e248, _e259, _e270, _e281, _e292, _e303, _e314, _e325, _e336, _e347, _e358);
 } else {
 let _e714 = ((_e704 - _e703) * (1f / 24f));
 let _e718 = global_3.member.member_13.member_6;
 let _e719 = (_e718 > 0u);
-phi_1829_ = vec3<f32>(0f, 0f, 0f);
-phi_1832_ = 0i;
-phi_1834_ = 0f;
+phi_1830_ = vec3<f32>(0f, 0f, 0f);
+phi_1833_ = 0i;
+phi_1835_ = 0f;
 loop {
-let _e721 = phi_1829_;
-let _e723 = phi_1832_;
-let _e725 = phi_1834_;
+let _e721 = phi_1830_;
+let _e723 = phi_1833_;
+let _e725 = phi_1835_;
 local_16 = _e721;
 local_17 = _e721;
 local_18 = _e721;
@@ -466,29 +478,29 @@ local_12 = (_e775 - f32(_e812));
 let _e849 = (_e812 + 1i);
 let _e851 = select(_e849, 0i, (_e849 < 0i));
 if (_e851 >= _e754) {
-phi_1977_ = (_e754 - 1i);
+phi_1978_ = (_e754 - 1i);
 } else {
-phi_1977_ = _e851;
+phi_1978_ = _e851;
 }
-let _e855 = phi_1977_;
+let _e855 = phi_1978_;
 local_13 = (_e855 - _e812);
 let _e857 = (_e827 + 1i);
 let _e859 = select(_e857, 0i, (_e857 < 0i));
 if (_e859 >= _e759) {
-phi_1990_ = (_e759 - 1i);
+phi_1991_ = (_e759 - 1i);
 } else {
-phi_1990_ = _e859;
+phi_1991_ = _e859;
 }
-let _e863 = phi_1990_;
+let _e863 = phi_1991_;
 let _e865 = ((_e863 - _e827) * _e754);
 let _e866 = (_e842 + 1i);
 let _e868 = select(_e866, 0i, (_e866 < 0i));
 if (_e868 >= _e764) {
-phi_2004_ = (_e764 - 1i);
+phi_2005_ = (_e764 - 1i);
 } else {
-phi_2004_ = _e868;
+phi_2005_ = _e868;
 }
-let _e872 = phi_2004_;
+let _e872 = phi_2005_;
 let _e879 = global_3.member.member_13.member_10;
 let _e880 = bitcast<i32>(_e879);
 let _e885 = ((_e880 + (((_e842 * _e759) + _e827) * _e754)) + _e812);
@@ -557,29 +569,29 @@ local_10 = (_e1004 - f32(_e1035));
 let _e1072 = (_e1035 + 1i);
 let _e1074 = select(_e1072, 0i, (_e1072 < 0i));
 if (_e1074 >= _e754) {
-phi_2320_ = (_e754 - 1i);
+phi_2321_ = (_e754 - 1i);
 } else {
-phi_2320_ = _e1074;
+phi_2321_ = _e1074;
 }
-let _e1078 = phi_2320_;
+let _e1078 = phi_2321_;
 local_11 = (_e1078 - _e1035);
 let _e1080 = (_e1050 + 1i);
 let _e1082 = select(_e1080, 0i, (_e1080 < 0i));
 if (_e1082 >= _e759) {
-phi_2333_ = (_e759 - 1i);
+phi_2334_ = (_e759 - 1i);
 } else {
-phi_2333_ = _e1082;
+phi_2334_ = _e1082;
 }
-let _e1086 = phi_2333_;
+let _e1086 = phi_2334_;
 let _e1088 = ((_e1086 - _e1050) * _e754);
 let _e1089 = (_e1065 + 1i);
 let _e1091 = select(_e1089, 0i, (_e1089 < 0i));
 if (_e1091 >= _e764) {
-phi_2347_ = (_e764 - 1i);
+phi_2348_ = (_e764 - 1i);
 } else {
-phi_2347_ = _e1091;
+phi_2348_ = _e1091;
 }
-let _e1095 = phi_2347_;
+let _e1095 = phi_2348_;
 let _e1103 = ((_e880 + (((_e1065 * _e759) + _e1050) * _e754)) + _e1035);
 let _e1105 = select(_e887, _e1103, (_e1103 < _e887));
 let _e1110 = global_1.member[bitcast<u32>(select(0i, _e1105, (_e1105 > 0i)))];
@@ -617,11 +629,11 @@ let _e1189 = (_e1177 + _e1188);
 let _e1191 = select(_e887, _e1189, (_e1189 < _e887));
 let _e1196 = global_1.member[bitcast<u32>(select(0i, _e1191, (_e1191 > 0i)))];
 let _e1197 = local_10;
-phi_2550_ = ((0.5f * (((((((_e894 * (1f - _e895)) + (_e906 * _e907)) * _e910) + (((_e919 * (1f - _e920)) + (_e931 * _e932)) * _e846)) * (1f - _e848)) + (((((_e944 * (1f - _e945)) + (_e956 * _e957)) * _e910) + (((_e968 * (1f - _e969)) + (_e980 * _e981)) * _e846)) * _e848)) + ((((((_e1110 * (1f - _e1111)) + (_e1122 * _e1123)) * _e1126) + (((_e1135 * (1f - _e1136)) + (_e1147 * _e1148)) * _e1069)) * (1f - _e1071)) + (((((_e1160 * (1f - _e1161)) + (_e1172 * _e1173)) * _e1126) + (((_e1184 * (1f - _e1185)) + (_e1196 * _e1197)) * _e1069)) * _e1071)))) * _e741);
+phi_2551_ = ((0.5f * (((((((_e894 * (1f - _e895)) + (_e906 * _e907)) * _e910) + (((_e919 * (1f - _e920)) + (_e931 * _e932)) * _e846)) * (1f - _e848)) + (((((_e944 * (1f - _e945)) + (_e956 * _e957)) * _e910) + (((_e968 * (1f - _e969)) + (_e980 * _e981)) * _e846)) * _e848)) + ((((((_e1110 * (1f - _e1111)) + (_e1122 * _e1123)) * _e1126) + (((_e1135 * (1f - _e1136)) + (_e1147 * _e1148)) * _e1069)) * (1f - _e1071)) + (((((_e1160 * (1f - _e1161)) + (_e1172 * _e1173)) * _e1126) + (((_e1184 * (1f - _e1185)) + (_e1196 * _e1197)) * _e1069)) * _e1071)))) * _e741);
 } else {
-phi_2550_ = _e714;
+phi_2551_ = _e714;
 }
-let _e1210 = phi_2550_;
+let _e1210 = phi_2551_;
 if _e719 {
 let _e1214 = global_3.member.member_13.member_7;
 let _e1215 = bitcast<i32>(_e1214);
@@ -662,29 +674,29 @@ local_8 = (_e1236 - f32(_e1273));
 let _e1310 = (_e1273 + 1i);
 let _e1312 = select(_e1310, 0i, (_e1310 < 0i));
 if (_e1312 >= _e1215) {
-phi_2663_ = (_e1215 - 1i);
+phi_2664_ = (_e1215 - 1i);
 } else {
-phi_2663_ = _e1312;
+phi_2664_ = _e1312;
 }
-let _e1316 = phi_2663_;
+let _e1316 = phi_2664_;
 local_9 = (_e1316 - _e1273);
 let _e1318 = (_e1288 + 1i);
 let _e1320 = select(_e1318, 0i, (_e1318 < 0i));
 if (_e1320 >= _e1220) {
-phi_2676_ = (_e1220 - 1i);
+phi_2677_ = (_e1220 - 1i);
 } else {
-phi_2676_ = _e1320;
+phi_2677_ = _e1320;
 }
-let _e1324 = phi_2676_;
+let _e1324 = phi_2677_;
 let _e1326 = ((_e1324 - _e1288) * _e1215);
 let _e1327 = (_e1303 + 1i);
 let _e1329 = select(_e1327, 0i, (_e1327 < 0i));
 if (_e1329 >= _e1225) {
-phi_2690_ = (_e1225 - 1i);
+phi_2691_ = (_e1225 - 1i);
 } else {
-phi_2690_ = _e1329;
+phi_2691_ = _e1329;
 }
-let _e1333 = phi_2690_;
+let _e1333 = phi_2691_;
 let _e1340 = global_3.member.member_13.member_10;
 let _e1346 = ((bitcast<i32>(_e1340) + (((_e1303 * _e1220) + _e1288) * _e1215)) + _e1273);
 let _e1348 = (bitcast<i32>(_e103) - 1i);
@@ -724,11 +736,11 @@ let _e1434 = (_e1422 + _e1433);
 let _e1436 = select(_e1348, _e1434, (_e1434 < _e1348));
 let _e1441 = global_1.member[bitcast<u32>(select(0i, _e1436, (_e1436 > 0i)))];
 let _e1442 = local_8;
-phi_2890_ = ((((((_e1355 * (1f - _e1356)) + (_e1367 * _e1368)) * _e1371) + (((_e1380 * (1f - _e1381)) + (_e1392 * _e1393)) * _e1307)) * (1f - _e1309)) + (((((_e1405 * (1f - _e1406)) + (_e1417 * _e1418)) * _e1371) + (((_e1429 * (1f - _e1430)) + (_e1441 * _e1442)) * _e1307)) * _e1309));
+phi_2891_ = ((((((_e1355 * (1f - _e1356)) + (_e1367 * _e1368)) * _e1371) + (((_e1380 * (1f - _e1381)) + (_e1392 * _e1393)) * _e1307)) * (1f - _e1309)) + (((((_e1405 * (1f - _e1406)) + (_e1417 * _e1418)) * _e1371) + (((_e1429 * (1f - _e1430)) + (_e1441 * _e1442)) * _e1307)) * _e1309));
 } else {
-phi_2890_ = 1f;
+phi_2891_ = 1f;
 }
-let _e1452 = phi_2890_;
+let _e1452 = phi_2891_;
 let _e1456 = global_3.member.member_19.member;
 let _e1462 = (((_e735 - _e655.member) / _e1456.member) - 0.5f);
 let _e1464 = select(0f, _e1462, (_e1462 > 0f));
@@ -888,22 +900,22 @@ let _e1943 = select(0i, select(select(i32(_e1936), i32(-2147483648), (_e1936 < -
 let _e1947 = (_e1943 - select(0i, 1i, (_e1936 < f32(_e1943))));
 let _e1948 = f32(_e1947);
 let _e1952 = ((_e1930 - (_e1948 * 0.6933594f)) - (_e1948 * -2.1219444e-4f));
-phi_1830_ = vec3<f32>((_e721.x + ((((((((_e1546 * _e1565) + (_e1577 * _e1528)) * _e1602) + (((_e1614 * _e1565) + (_e1644 * _e1528)) * _e1530)) * _e1810) + (((((_e1683 * _e1565) + (_e1713 * _e1528)) * _e1602) + (((_e1749 * _e1565) + (_e1779 * _e1528)) * _e1530)) * _e1532)) * ((1f + (_e1856 * (1f + (_e1856 * (0.5f + (_e1856 * (0.16666667f + (_e1856 * (0.041666668f + (_e1856 * (0.008333334f + (_e1856 * (0.001388889f + (_e1856 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1851 + 127i)) << bitcast<u32>(23i))))) * _e1452)), (_e721.y + ((((((((_e1555 * _e1565) + (_e1586 * _e1528)) * _e1602) + (((_e1623 * _e1565) + (_e1653 * _e1528)) * _e1530)) * _e1810) + (((((_e1692 * _e1565) + (_e1722 * _e1528)) * _e1602) + (((_e1758 * _e1565) + (_e1788 * _e1528)) * _e1530)) * _e1532)) * ((1f + (_e1904 * (1f + (_e1904 * (0.5f + (_e1904 * (0.16666667f + (_e1904 * (0.041666668f + (_e1904 * (0.008333334f + (_e1904 * (0.001388889f + (_e1904 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1899 + 127i)) << bitcast<u32>(23i))))) * _e1452)), (_e721.z + ((((((((_e1564 * _e1565) + (_e1595 * _e1528)) * _e1602) + (((_e1632 * _e1565) + (_e1662 * _e1528)) * _e1530)) * _e1810) + (((((_e1701 * _e1565) + (_e1731 * _e1528)) * _e1602) + (((_e1767 * _e1565) + (_e1797 * _e1528)) * _e1530)) * _e1532)) * ((1f + (_e1952 * (1f + (_e1952 * (0.5f + (_e1952 * (0.16666667f + (_e1952 * (0.041666668f + (_e1952 * (0.008333334f + (_e1952 * (0.001388889f + (_e1952 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1947 + 127i)) << bitcast<u32>(23i))))) * _e1452)));
-phi_1833_ = (_e723 + 1i);
-phi_1835_ = (_e725 + _e1210);
+phi_1831_ = vec3<f32>((_e721.x + ((((((((_e1546 * _e1565) + (_e1577 * _e1528)) * _e1602) + (((_e1614 * _e1565) + (_e1644 * _e1528)) * _e1530)) * _e1810) + (((((_e1683 * _e1565) + (_e1713 * _e1528)) * _e1602) + (((_e1749 * _e1565) + (_e1779 * _e1528)) * _e1530)) * _e1532)) * ((1f + (_e1856 * (1f + (_e1856 * (0.5f + (_e1856 * (0.16666667f + (_e1856 * (0.041666668f + (_e1856 * (0.008333334f + (_e1856 * (0.001388889f + (_e1856 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1851 + 127i)) << bitcast<u32>(23i))))) * _e1452)), (_e721.y + ((((((((_e1555 * _e1565) + (_e1586 * _e1528)) * _e1602) + (((_e1623 * _e1565) + (_e1653 * _e1528)) * _e1530)) * _e1810) + (((((_e1692 * _e1565) + (_e1722 * _e1528)) * _e1602) + (((_e1758 * _e1565) + (_e1788 * _e1528)) * _e1530)) * _e1532)) * ((1f + (_e1904 * (1f + (_e1904 * (0.5f + (_e1904 * (0.16666667f + (_e1904 * (0.041666668f + (_e1904 * (0.008333334f + (_e1904 * (0.001388889f + (_e1904 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1899 + 127i)) << bitcast<u32>(23i))))) * _e1452)), (_e721.z + ((((((((_e1564 * _e1565) + (_e1595 * _e1528)) * _e1602) + (((_e1632 * _e1565) + (_e1662 * _e1528)) * _e1530)) * _e1810) + (((((_e1701 * _e1565) + (_e1731 * _e1528)) * _e1602) + (((_e1767 * _e1565) + (_e1797 * _e1528)) * _e1530)) * _e1532)) * ((1f + (_e1952 * (1f + (_e1952 * (0.5f + (_e1952 * (0.16666667f + (_e1952 * (0.041666668f + (_e1952 * (0.008333334f + (_e1952 * (0.001388889f + (_e1952 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1947 + 127i)) << bitcast<u32>(23i))))) * _e1452)));
+phi_1834_ = (_e723 + 1i);
+phi_1836_ = (_e725 + _e1210);
 } else {
-phi_1830_ = vec3<f32>();
-phi_1833_ = i32();
-phi_1835_ = f32();
+phi_1831_ = vec3<f32>();
+phi_1834_ = i32();
+phi_1836_ = f32();
 }
-let _e1989 = phi_1830_;
-let _e1991 = phi_1833_;
-let _e1993 = phi_1835_;
+let _e1989 = phi_1831_;
+let _e1991 = phi_1834_;
+let _e1993 = phi_1836_;
 continue;
 continuing {
-phi_1829_ = _e1989;
-phi_1832_ = _e1991;
-phi_1834_ = _e1993;
+phi_1830_ = _e1989;
+phi_1833_ = _e1991;
+phi_1835_ = _e1993;
 break if !(_e726);
 }
 }
@@ -911,9 +923,9 @@ let _e1998 = global_3.member.member_13.member_1;
 let _e2003 = local_16;
 let _e2007 = local_17;
 let _e2011 = local_18;
-phi_3941_ = array<f32, 22>(_e128, _e138, _e149, _e160, _e171, _e182, _e193, _e204, _e215, _e226, _e237, _e248, _e259, _e270, _e281, (_e292 + (((_e2003.x * _e1998.member) * _e625) * _e714)), (_e303 + (((_e2007.y * _e1998.member_1) * _e626) * _e714)), (_e314 + (((_e2011.z * _e1998.member_2) * _e627) * _e714)), _e325, _e336, _e347, _e358);
+phi_3942_ = array<f32, 22>(_e128, _e138, _e149, _e160, _e171, _e182, _e193, _e204, _e215, _e226, _e237, _e248, _e259, _e270, _e281, (_e292 + (((_e2003.x * _e1998.member) * _e625) * _e714)), (_e303 + (((_e2007.y * _e1998.member_1) * _e626) * _e714)), (_e314 + (((_e2011.z * _e1998.member_2) * _e627) * _e714)), _e325, _e336, _e347, _e358);
 }
-let _e2025 = phi_3941_;
+let _e2025 = phi_3942_;
 global_2.member[_e117] = _e2025[0];
 global_2.member[_e129] = _e2025[1];
 global_2.member[_e140] = _e2025[2];

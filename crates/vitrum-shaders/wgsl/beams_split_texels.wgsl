@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_16 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_17 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_17 {
+struct type_18 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_18 {
+struct type_19 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
-member_1: type_15,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,35 +150,35 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_16,
-member_12: type_17,
-member_13: type_18,
+member_11: type_17,
+member_12: type_18,
+member_13: type_19,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_19,
-member_19: type_20,
+member_18: type_20,
+member_19: type_21,
 }
-struct type_22 {
-member: type_21,
+struct type_23 {
+member: type_22,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_22;
+var<storage> global_1: type_23;
 @group(0) @binding(2)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_13;
+var<storage, read_write> global_4: type_15;
 fn function_() {
 var local: i32;
 var local_1: i32;
 var local_2: i32;
-var phi_181_: i32;
-var phi_213_: i32;
-var phi_246_: i32;
+var phi_182_: i32;
+var phi_214_: i32;
+var phi_247_: i32;
 let _e57 = global;
 let _e65 = global_1.member.member;
 if (_e57.x < _e65.member) {
@@ -186,11 +198,11 @@ let _e108 = (_e94 >= 0i);
 let _e110 = (_e94 < _e88);
 let _e111 = ((_e107 && _e108) && _e110);
 if _e111 {
-phi_181_ = ((_e94 * _e81) + _e99);
+phi_182_ = ((_e94 * _e81) + _e99);
 } else {
-phi_181_ = 0i;
+phi_182_ = 0i;
 }
-let _e115 = phi_181_;
+let _e115 = phi_182_;
 let _e117 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e119 = select(_e117, _e115, (_e115 < _e117));
 let _e125 = global_3.member[bitcast<u32>(select(0i, _e119, (_e119 > 0i)))];
@@ -199,20 +211,20 @@ let _e131 = (_e104 >= 0i);
 let _e133 = (_e104 < _e88);
 let _e134 = ((_e130 && _e131) && _e133);
 if _e134 {
-phi_213_ = ((_e104 * _e81) + _e91);
+phi_214_ = ((_e104 * _e81) + _e91);
 } else {
-phi_213_ = 0i;
+phi_214_ = 0i;
 }
-let _e138 = phi_213_;
+let _e138 = phi_214_;
 let _e140 = select(_e117, _e138, (_e138 < _e117));
 let _e146 = global_3.member[bitcast<u32>(select(0i, _e140, (_e140 > 0i)))];
 let _e151 = ((_e107 && _e131) && _e133);
 if _e151 {
-phi_246_ = ((_e104 * _e81) + _e99);
+phi_247_ = ((_e104 * _e81) + _e99);
 } else {
-phi_246_ = 0i;
+phi_247_ = 0i;
 }
-let _e155 = phi_246_;
+let _e155 = phi_247_;
 let _e157 = select(_e117, _e155, (_e155 < _e117));
 let _e163 = global_3.member[bitcast<u32>(select(0i, _e157, (_e157 > 0i)))];
 let _e168 = ((_e94 * _e81) + _e91);

@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_16 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_17 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
-member_1: type_16,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,55 +150,55 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_17,
-member_12: type_18,
-member_13: type_19,
+member_11: type_18,
+member_12: type_19,
+member_13: type_20,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_20,
-member_19: type_21,
-}
-struct type_23 {
-member: type_22,
+member_18: type_21,
+member_19: type_22,
 }
 struct type_24 {
+member: type_23,
+}
+struct type_25 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(3)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(0)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(1)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(2)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 fn function_() {
 var local: i32;
 var local_1: f32;
 var local_2: i32;
 var local_3: f32;
 var local_4: i32;
-var phi_1475_: u32;
-var phi_1478_: f32;
-var phi_1613_: i32;
-var phi_1626_: i32;
-var phi_1640_: i32;
-var phi_1956_: i32;
-var phi_1969_: i32;
-var phi_1983_: i32;
 var phi_1476_: u32;
 var phi_1479_: f32;
-var phi_2188_: f32;
-var phi_2935_: vec3<f32>;
-var phi_2938_: vec3<f32>;
-var phi_2951_: type_24;
-var phi_2958_: vec3<f32>;
+var phi_1614_: i32;
+var phi_1627_: i32;
+var phi_1641_: i32;
+var phi_1957_: i32;
+var phi_1970_: i32;
+var phi_1984_: i32;
+var phi_1477_: u32;
+var phi_1480_: f32;
+var phi_2189_: f32;
+var phi_2936_: vec3<f32>;
+var phi_2939_: vec3<f32>;
+var phi_2952_: type_25;
+var phi_2959_: vec3<f32>;
 var local_5: f32;
 let _e78 = global;
 let _e89 = global_3.member.member;
@@ -354,14 +366,14 @@ let _e641 = select(0f, _e637, _e640);
 let _e643 = (select(0f, _e639, _e640) - _e641);
 let _e647 = global_3.member.member_13.member_6;
 if (_e647 == 0u) {
-phi_2188_ = _e643;
+phi_2189_ = _e643;
 } else {
 let _e650 = (_e643 / f32(_e647));
-phi_1475_ = 0u;
-phi_1478_ = 0f;
+phi_1476_ = 0u;
+phi_1479_ = 0f;
 loop {
-let _e652 = phi_1475_;
-let _e654 = phi_1478_;
+let _e652 = phi_1476_;
+let _e654 = phi_1479_;
 local_5 = _e654;
 let _e657 = ((_e652 < _e647) && (_e643 > 0f));
 if _e657 {
@@ -413,29 +425,29 @@ local_3 = (_e698 - f32(_e735));
 let _e772 = (_e735 + 1i);
 let _e774 = select(_e772, 0i, (_e772 < 0i));
 if (_e774 >= _e677) {
-phi_1613_ = (_e677 - 1i);
+phi_1614_ = (_e677 - 1i);
 } else {
-phi_1613_ = _e774;
+phi_1614_ = _e774;
 }
-let _e778 = phi_1613_;
+let _e778 = phi_1614_;
 local_4 = (_e778 - _e735);
 let _e780 = (_e750 + 1i);
 let _e782 = select(_e780, 0i, (_e780 < 0i));
 if (_e782 >= _e682) {
-phi_1626_ = (_e682 - 1i);
+phi_1627_ = (_e682 - 1i);
 } else {
-phi_1626_ = _e782;
+phi_1627_ = _e782;
 }
-let _e786 = phi_1626_;
+let _e786 = phi_1627_;
 let _e788 = ((_e786 - _e750) * _e677);
 let _e789 = (_e765 + 1i);
 let _e791 = select(_e789, 0i, (_e789 < 0i));
 if (_e791 >= _e687) {
-phi_1640_ = (_e687 - 1i);
+phi_1641_ = (_e687 - 1i);
 } else {
-phi_1640_ = _e791;
+phi_1641_ = _e791;
 }
-let _e795 = phi_1640_;
+let _e795 = phi_1641_;
 let _e802 = global_3.member.member_13.member_10;
 let _e803 = bitcast<i32>(_e802);
 let _e808 = ((_e803 + (((_e765 * _e682) + _e750) * _e677)) + _e735);
@@ -504,29 +516,29 @@ local_1 = (_e927 - f32(_e958));
 let _e995 = (_e958 + 1i);
 let _e997 = select(_e995, 0i, (_e995 < 0i));
 if (_e997 >= _e677) {
-phi_1956_ = (_e677 - 1i);
+phi_1957_ = (_e677 - 1i);
 } else {
-phi_1956_ = _e997;
+phi_1957_ = _e997;
 }
-let _e1001 = phi_1956_;
+let _e1001 = phi_1957_;
 local_2 = (_e1001 - _e958);
 let _e1003 = (_e973 + 1i);
 let _e1005 = select(_e1003, 0i, (_e1003 < 0i));
 if (_e1005 >= _e682) {
-phi_1969_ = (_e682 - 1i);
+phi_1970_ = (_e682 - 1i);
 } else {
-phi_1969_ = _e1005;
+phi_1970_ = _e1005;
 }
-let _e1009 = phi_1969_;
+let _e1009 = phi_1970_;
 let _e1011 = ((_e1009 - _e973) * _e677);
 let _e1012 = (_e988 + 1i);
 let _e1014 = select(_e1012, 0i, (_e1012 < 0i));
 if (_e1014 >= _e687) {
-phi_1983_ = (_e687 - 1i);
+phi_1984_ = (_e687 - 1i);
 } else {
-phi_1983_ = _e1014;
+phi_1984_ = _e1014;
 }
-let _e1018 = phi_1983_;
+let _e1018 = phi_1984_;
 let _e1026 = ((_e803 + (((_e988 * _e682) + _e973) * _e677)) + _e958);
 let _e1028 = select(_e810, _e1026, (_e1026 < _e810));
 let _e1033 = global_1.member[bitcast<u32>(select(0i, _e1028, (_e1028 > 0i)))];
@@ -564,25 +576,25 @@ let _e1112 = (_e1100 + _e1111);
 let _e1114 = select(_e810, _e1112, (_e1112 < _e810));
 let _e1119 = global_1.member[bitcast<u32>(select(0i, _e1114, (_e1114 > 0i)))];
 let _e1120 = local_1;
-phi_1476_ = (_e652 + 1u);
-phi_1479_ = (_e654 + ((0.5f * (((((((_e817 * (1f - _e818)) + (_e829 * _e830)) * _e833) + (((_e842 * (1f - _e843)) + (_e854 * _e855)) * _e769)) * (1f - _e771)) + (((((_e867 * (1f - _e868)) + (_e879 * _e880)) * _e833) + (((_e891 * (1f - _e892)) + (_e903 * _e904)) * _e769)) * _e771)) + ((((((_e1033 * (1f - _e1034)) + (_e1045 * _e1046)) * _e1049) + (((_e1058 * (1f - _e1059)) + (_e1070 * _e1071)) * _e992)) * (1f - _e994)) + (((((_e1083 * (1f - _e1084)) + (_e1095 * _e1096)) * _e1049) + (((_e1107 * (1f - _e1108)) + (_e1119 * _e1120)) * _e992)) * _e994)))) * _e664));
+phi_1477_ = (_e652 + 1u);
+phi_1480_ = (_e654 + ((0.5f * (((((((_e817 * (1f - _e818)) + (_e829 * _e830)) * _e833) + (((_e842 * (1f - _e843)) + (_e854 * _e855)) * _e769)) * (1f - _e771)) + (((((_e867 * (1f - _e868)) + (_e879 * _e880)) * _e833) + (((_e891 * (1f - _e892)) + (_e903 * _e904)) * _e769)) * _e771)) + ((((((_e1033 * (1f - _e1034)) + (_e1045 * _e1046)) * _e1049) + (((_e1058 * (1f - _e1059)) + (_e1070 * _e1071)) * _e992)) * (1f - _e994)) + (((((_e1083 * (1f - _e1084)) + (_e1095 * _e1096)) * _e1049) + (((_e1107 * (1f - _e1108)) + (_e1119 * _e1120)) * _e992)) * _e994)))) * _e664));
 } else {
-phi_1476_ = u32();
-phi_1479_ = f32();
+phi_1477_ = u32();
+phi_1480_ = f32();
 }
-let _e1135 = phi_1476_;
-let _e1137 = phi_1479_;
+let _e1135 = phi_1477_;
+let _e1137 = phi_1480_;
 continue;
 continuing {
-phi_1475_ = _e1135;
-phi_1478_ = _e1137;
+phi_1476_ = _e1135;
+phi_1479_ = _e1137;
 break if !(_e657);
 }
 }
 let _e1863 = local_5;
-phi_2188_ = _e1863;
+phi_2189_ = _e1863;
 }
-let _e1140 = phi_2188_;
+let _e1140 = phi_2189_;
 let _e1142 = select(0f, _e1140, (_e1140 > 0f));
 let _e1146 = global_3.member.member_13.member;
 let _e1151 = -((_e1146.member * _e1142));
@@ -619,14 +631,14 @@ let _e1294 = (_e582 * _e594);
 if _e617 {
 let _e1298 = global_3.member.member_10.member_2;
 let _e1302 = (3.1415927f * _e1294);
-phi_2958_ = vec3<f32>((_e1298.member * _e1302), (_e1298.member_1 * _e1302), (_e1298.member_2 * _e1302));
+phi_2959_ = vec3<f32>((_e1298.member * _e1302), (_e1298.member_1 * _e1302), (_e1298.member_2 * _e1302));
 } else {
 let _e1311 = (((_e633 * _e609.member) + (_e634 * _e609.member_1)) + (_e635 * _e609.member_2));
 let _e1315 = global_3.member.member_11.member_4;
 let _e1325 = global_3.member.member_10.member_2;
 if _e617 {
 let _e1333 = global_3.member.member_10.member_1;
-phi_2951_ = type_24(vec3<f32>(_e1333.member, _e1333.member_1, _e1333.member_2), vec3<f32>(_e1325.member, _e1325.member_1, _e1325.member_2));
+phi_2952_ = type_25(vec3<f32>(_e1333.member, _e1333.member_1, _e1333.member_2), vec3<f32>(_e1325.member, _e1325.member_1, _e1325.member_2));
 } else {
 let _e1342 = global_3.member.member_10.member_3;
 let _e1346 = ((_e1315.member + _e633) - _e1342.member);
@@ -728,23 +740,23 @@ let _e1633 = global_5.member[bitcast<u32>(select(0i, _e1628, (_e1628 > 0i)))];
 let _e1640 = (_e1533 + ((_e1561 - _e1533) * _e1504));
 let _e1641 = (_e1541 + ((_e1569 - _e1541) * _e1504));
 let _e1642 = (_e1549 + ((_e1577 - _e1549) * _e1504));
-phi_2935_ = vec3<f32>(((_e1640 + (((_e1589 + ((_e1617 - _e1589) * _e1504)) - _e1640) * _e1506)) * _e1432), ((_e1641 + (((_e1597 + ((_e1625 - _e1597) * _e1504)) - _e1641) * _e1506)) * _e1432), ((_e1642 + (((_e1605 + ((_e1633 - _e1605) * _e1504)) - _e1642) * _e1506)) * _e1432));
+phi_2936_ = vec3<f32>(((_e1640 + (((_e1589 + ((_e1617 - _e1589) * _e1504)) - _e1640) * _e1506)) * _e1432), ((_e1641 + (((_e1597 + ((_e1625 - _e1597) * _e1504)) - _e1641) * _e1506)) * _e1432), ((_e1642 + (((_e1605 + ((_e1633 - _e1605) * _e1504)) - _e1642) * _e1506)) * _e1432));
 } else {
-phi_2935_ = vec3(_e1432);
+phi_2936_ = vec3(_e1432);
 }
-let _e1667 = phi_2935_;
-phi_2938_ = (_e1360 * _e1667);
+let _e1667 = phi_2936_;
+phi_2939_ = (_e1360 * _e1667);
 } else {
-phi_2938_ = _e1360;
+phi_2939_ = _e1360;
 }
-let _e1670 = phi_2938_;
+let _e1670 = phi_2939_;
 let _e1674 = (1f / sqrt(select(0f, _e1355, (_e1355 > 0f))));
-phi_2951_ = type_24(vec3<f32>((_e1346 * _e1674), (_e1347 * _e1674), (_e1348 * _e1674)), _e1670);
+phi_2952_ = type_25(vec3<f32>((_e1346 * _e1674), (_e1347 * _e1674), (_e1348 * _e1674)), _e1670);
 }
-let _e1681 = phi_2951_;
-phi_2958_ = (_e1681.member_1 * ((3.1415927f * _e1294) * ((_e1311 * _e1311) * _e1311)));
+let _e1681 = phi_2952_;
+phi_2959_ = (_e1681.member_1 * ((3.1415927f * _e1294) * ((_e1311 * _e1311) * _e1311)));
 }
-let _e1689 = phi_2958_;
+let _e1689 = phi_2959_;
 let _e1712 = (((_e548 * _e548) + (_e549 * _e549)) + (_e550 * _e550));
 let _e1720 = (((_e554 * _e554) + (_e555 * _e555)) + (_e556 * _e556));
 let _e1732 = (((_e526 * _e526) + (_e527 * _e527)) + (_e528 * _e528));

@@ -57,10 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
 struct type_13 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -80,11 +96,7 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_18 {
-member: u32,
-member_1: u32,
-}
-struct type_19 {
+struct type_20 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -95,7 +107,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -114,7 +126,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -128,7 +140,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_22 {
+struct type_23 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -140,15 +152,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
-member_1: type_18,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -158,20 +170,20 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_19,
-member_12: type_20,
-member_13: type_21,
+member_11: type_20,
+member_12: type_21,
+member_13: type_22,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_22,
-member_19: type_23,
-}
-struct type_25 {
-member: type_24,
+member_18: type_23,
+member_19: type_24,
 }
 struct type_26 {
+member: type_25,
+}
+struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -201,29 +213,29 @@ member_25: f32,
 member_26: f32,
 member_27: f32,
 }
-struct type_27 {
+struct type_28 {
 member: i32,
 member_1: i32,
 member_2: f32,
 member_3: f32,
 member_4: f32,
 }
-struct type_30 {
+struct type_31 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(2)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(3)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_4: type_13;
+var<storage, read_write> global_4: type_15;
 @group(0) @binding(0)
-var<storage> global_5: type_25;
+var<storage> global_5: type_26;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_30;
+var<storage, read_write> global_6: type_31;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -241,177 +253,177 @@ var local_12: f32;
 var local_13: i32;
 var local_14: f32;
 var local_15: i32;
-var phi_1792_: f32;
-var phi_2212_: u32;
-var phi_2215_: f32;
-var phi_2356_: i32;
-var phi_2369_: i32;
-var phi_2383_: i32;
-var phi_2705_: i32;
-var phi_2718_: i32;
-var phi_2732_: i32;
+var phi_1793_: f32;
 var phi_2213_: u32;
 var phi_2216_: f32;
-var phi_2937_: f32;
-var phi_3165_: f32;
-var phi_3192_: type_26;
-var phi_3193_: type_26;
-var phi_3213_: type_26;
-var phi_3215_: type_26;
-var phi_3218_: i32;
-var phi_3220_: bool;
-var phi_4561_: i32;
-var phi_4564_: i32;
+var phi_2357_: i32;
+var phi_2370_: i32;
+var phi_2384_: i32;
+var phi_2706_: i32;
+var phi_2719_: i32;
+var phi_2733_: i32;
+var phi_2214_: u32;
+var phi_2217_: f32;
+var phi_2938_: f32;
+var phi_3166_: f32;
+var phi_3193_: type_27;
+var phi_3194_: type_27;
+var phi_3214_: type_27;
+var phi_3216_: type_27;
+var phi_3219_: i32;
+var phi_3221_: bool;
 var phi_4562_: i32;
 var phi_4565_: i32;
+var phi_4563_: i32;
+var phi_4566_: i32;
 var local_16: i32;
-var phi_4683_: i32;
-var phi_4686_: i32;
 var phi_4684_: i32;
 var phi_4687_: i32;
+var phi_4685_: i32;
+var phi_4688_: i32;
 var local_17: i32;
-var phi_6109_: f32;
-var phi_4865_: u32;
-var phi_4868_: f32;
-var phi_5009_: i32;
-var phi_5022_: i32;
-var phi_5036_: i32;
-var phi_5358_: i32;
-var phi_5371_: i32;
-var phi_5385_: i32;
+var phi_6110_: f32;
 var phi_4866_: u32;
 var phi_4869_: f32;
-var phi_5590_: f32;
-var phi_5823_: f32;
-var phi_6113_: type_26;
+var phi_5010_: i32;
+var phi_5023_: i32;
+var phi_5037_: i32;
+var phi_5359_: i32;
+var phi_5372_: i32;
+var phi_5386_: i32;
+var phi_4867_: u32;
+var phi_4870_: f32;
+var phi_5591_: f32;
+var phi_5824_: f32;
+var phi_6114_: type_27;
 var local_18: i32;
 var local_19: i32;
 var local_20: i32;
 var local_21: i32;
 var local_22: i32;
-var phi_8842_: f32;
 var phi_8843_: f32;
-var phi_9076_: f32;
+var phi_8844_: f32;
+var phi_9077_: f32;
 var local_23: i32;
 var local_24: i32;
 var local_25: i32;
-var phi_9880_: type_26;
-var phi_9890_: type_26;
-var phi_9891_: type_26;
-var phi_9911_: type_26;
-var phi_10066_: vec3<f32>;
-var phi_10192_: vec3<f32>;
-var phi_10210_: type_26;
-var phi_9207_: f32;
-var phi_10211_: type_26;
-var phi_10366_: f32;
-var phi_10410_: type_26;
-var phi_10994_: f32;
-var phi_11429_: u32;
-var phi_11432_: f32;
-var phi_11573_: i32;
-var phi_11586_: i32;
-var phi_11600_: i32;
-var phi_11922_: i32;
-var phi_11935_: i32;
-var phi_11949_: i32;
+var phi_9881_: type_27;
+var phi_9891_: type_27;
+var phi_9892_: type_27;
+var phi_9912_: type_27;
+var phi_10067_: vec3<f32>;
+var phi_10193_: vec3<f32>;
+var phi_10211_: type_27;
+var phi_9208_: f32;
+var phi_10212_: type_27;
+var phi_10367_: f32;
+var phi_10411_: type_27;
+var phi_10995_: f32;
 var phi_11430_: u32;
 var phi_11433_: f32;
-var phi_12154_: f32;
-var phi_12382_: f32;
-var phi_12409_: type_26;
-var phi_12410_: type_26;
-var phi_12411_: type_26;
-var phi_12412_: type_26;
-var phi_12413_: type_26;
-var phi_6167_: f32;
-var phi_6179_: type_26;
-var phi_6220_: type_26;
-var phi_6804_: f32;
-var phi_7239_: u32;
-var phi_7242_: f32;
-var phi_7383_: i32;
-var phi_7396_: i32;
-var phi_7410_: i32;
-var phi_7732_: i32;
-var phi_7745_: i32;
-var phi_7759_: i32;
+var phi_11574_: i32;
+var phi_11587_: i32;
+var phi_11601_: i32;
+var phi_11923_: i32;
+var phi_11936_: i32;
+var phi_11950_: i32;
+var phi_11431_: u32;
+var phi_11434_: f32;
+var phi_12155_: f32;
+var phi_12383_: f32;
+var phi_12410_: type_27;
+var phi_12411_: type_27;
+var phi_12412_: type_27;
+var phi_12413_: type_27;
+var phi_12414_: type_27;
+var phi_6168_: f32;
+var phi_6180_: type_27;
+var phi_6221_: type_27;
+var phi_6805_: f32;
 var phi_7240_: u32;
 var phi_7243_: f32;
-var phi_7964_: f32;
-var phi_8192_: f32;
-var phi_8219_: type_26;
-var phi_8220_: type_26;
-var phi_12414_: type_26;
-var phi_12415_: type_26;
-var phi_12416_: bool;
-var phi_12420_: type_26;
-var phi_12421_: type_26;
-var phi_3446_: f32;
-var phi_3759_: i32;
-var phi_4370_: i32;
-var phi_4520_: type_27;
-var phi_4514_: bool;
+var phi_7384_: i32;
+var phi_7397_: i32;
+var phi_7411_: i32;
+var phi_7733_: i32;
+var phi_7746_: i32;
+var phi_7760_: i32;
+var phi_7241_: u32;
+var phi_7244_: f32;
+var phi_7965_: f32;
+var phi_8193_: f32;
+var phi_8220_: type_27;
+var phi_8221_: type_27;
+var phi_12415_: type_27;
+var phi_12416_: type_27;
+var phi_12417_: bool;
+var phi_12421_: type_27;
+var phi_12422_: type_27;
+var phi_3447_: f32;
+var phi_3760_: i32;
+var phi_4371_: i32;
+var phi_4521_: type_28;
 var phi_4515_: bool;
-var phi_4521_: type_27;
-var phi_4522_: bool;
-var phi_4529_: type_17;
-var phi_4530_: type_27;
-var phi_4531_: type_17;
-var phi_4533_: type_27;
-var phi_4534_: type_17;
-var phi_4535_: bool;
-var phi_4539_: type_27;
-var phi_4540_: type_17;
-var phi_4541_: bool;
-var phi_4545_: type_27;
-var phi_4546_: type_17;
-var phi_12423_: type_26;
-var phi_12424_: bool;
-var phi_3216_: type_26;
-var phi_3219_: i32;
-var phi_3221_: bool;
-var local_26: type_26;
-var local_27: type_26;
-var local_28: type_26;
-var local_29: type_26;
-var local_30: type_26;
-var local_31: type_26;
-var local_32: type_26;
-var local_33: type_26;
-var local_34: type_26;
-var local_35: type_26;
-var local_36: type_26;
-var local_37: type_26;
-var local_38: type_26;
-var local_39: type_26;
-var local_40: type_26;
-var local_41: type_26;
-var local_42: type_26;
-var local_43: type_26;
-var local_44: type_26;
-var local_45: type_26;
-var local_46: type_26;
-var local_47: type_26;
-var local_48: type_26;
-var local_49: type_26;
-var local_50: type_26;
-var local_51: type_26;
-var local_52: type_26;
-var local_53: type_26;
-var local_54: type_26;
-var local_55: type_26;
-var local_56: type_26;
-var local_57: type_26;
-var local_58: type_26;
-var local_59: type_26;
-var local_60: type_26;
-var local_61: type_26;
-var local_62: type_26;
-var local_63: type_26;
-var local_64: type_26;
-var local_65: type_26;
-var local_66: type_26;
+var phi_4516_: bool;
+var phi_4522_: type_28;
+var phi_4523_: bool;
+var phi_4530_: type_19;
+var phi_4531_: type_28;
+var phi_4532_: type_19;
+var phi_4534_: type_28;
+var phi_4535_: type_19;
+var phi_4536_: bool;
+var phi_4540_: type_28;
+var phi_4541_: type_19;
+var phi_4542_: bool;
+var phi_4546_: type_28;
+var phi_4547_: type_19;
+var phi_12424_: type_27;
+var phi_12425_: bool;
+var phi_3217_: type_27;
+var phi_3220_: i32;
+var phi_3222_: bool;
+var local_26: type_27;
+var local_27: type_27;
+var local_28: type_27;
+var local_29: type_27;
+var local_30: type_27;
+var local_31: type_27;
+var local_32: type_27;
+var local_33: type_27;
+var local_34: type_27;
+var local_35: type_27;
+var local_36: type_27;
+var local_37: type_27;
+var local_38: type_27;
+var local_39: type_27;
+var local_40: type_27;
+var local_41: type_27;
+var local_42: type_27;
+var local_43: type_27;
+var local_44: type_27;
+var local_45: type_27;
+var local_46: type_27;
+var local_47: type_27;
+var local_48: type_27;
+var local_49: type_27;
+var local_50: type_27;
+var local_51: type_27;
+var local_52: type_27;
+var local_53: type_27;
+var local_54: type_27;
+var local_55: type_27;
+var local_56: type_27;
+var local_57: type_27;
+var local_58: type_27;
+var local_59: type_27;
+var local_60: type_27;
+var local_61: type_27;
+var local_62: type_27;
+var local_63: type_27;
+var local_64: type_27;
+var local_65: type_27;
+var local_66: type_27;
 var local_67: f32;
 var local_68: f32;
 var local_69: f32;
@@ -675,11 +687,11 @@ let _e948 = select(_e930, _e928, (_e928 > _e930));
 let _e950 = select(_e948, _e946, (_e946 < _e948));
 let _e952 = select(_e934, _e932, (_e932 > _e934));
 if (true && _e816) {
-phi_1792_ = -(1e30f);
+phi_1793_ = -(1e30f);
 } else {
-phi_1792_ = 0f;
+phi_1793_ = 0f;
 }
-let _e958 = phi_1792_;
+let _e958 = phi_1793_;
 let _e960 = select(_e958, _e944, (_e944 > _e958));
 let _e962 = ((select(_e952, _e950, (_e950 < _e952)) <= _e960) || false);
 let _e963 = select(_e960, 0f, _e962);
@@ -702,7 +714,7 @@ let _e1036 = (_e1034 > 1e-9f);
 let _e1040 = ((_e1028 / select(1e-9f, _e1034, _e1036)) - 0.015625f);
 let _e1043 = select(1e30f, select(0f, _e1040, (_e1040 > 0f)), ((_e1028 > 0f) && _e1036));
 let _e1047 = (_e1043 < _e1012);
-let _e1051 = type_26((vec3<f32>(_e839, _e840, _e841) + vec3<f32>(_e964, _e965, _e966)), vec3<f32>(_e832, _e833, _e834), (vec3<f32>(select(0f, _e783, _e816), select(0f, _e784, _e816), select(0f, _e785, _e816)) + vec3<f32>((_e865 * _e963), (_e866 * _e963), (_e867 * _e963))), (vec3<f32>(select(0f, _e786, _e816), select(0f, _e787, _e816), select(0f, _e788, _e816)) + vec3<f32>((_e883 * _e963), (_e884 * _e963), (_e885 * _e963))), vec3<f32>(_e865, _e866, _e867), vec3<f32>(_e883, _e884, _e885), vec3<f32>(1f, 1f, 1f), 0i, 0i, select(select(-2i, -3i, _e1047), -1i, ((_e1012 >= 1e30f) && (_e1043 >= 1e30f))), select(_e1012, _e1043, _e1047), 0i, 0i, 0f, _e480, 1f, 0i, _e712, _e719, _e726, _e733, _e740, _e630, _e579, _e590, _e601, _e612, _e623);
+let _e1051 = type_27((vec3<f32>(_e839, _e840, _e841) + vec3<f32>(_e964, _e965, _e966)), vec3<f32>(_e832, _e833, _e834), (vec3<f32>(select(0f, _e783, _e816), select(0f, _e784, _e816), select(0f, _e785, _e816)) + vec3<f32>((_e865 * _e963), (_e866 * _e963), (_e867 * _e963))), (vec3<f32>(select(0f, _e786, _e816), select(0f, _e787, _e816), select(0f, _e788, _e816)) + vec3<f32>((_e883 * _e963), (_e884 * _e963), (_e885 * _e963))), vec3<f32>(_e865, _e866, _e867), vec3<f32>(_e883, _e884, _e885), vec3<f32>(1f, 1f, 1f), 0i, 0i, select(select(-2i, -3i, _e1047), -1i, ((_e1012 >= 1e30f) && (_e1043 >= 1e30f))), select(_e1012, _e1043, _e1047), 0i, 0i, 0f, _e480, 1f, 0i, _e712, _e719, _e726, _e733, _e740, _e630, _e579, _e590, _e601, _e612, _e623);
 let _e1055 = global_5.member.member_13.member_4;
 let _e1062 = global_5.member.member_13.member_5;
 let _e1067 = ((_e1055.member - _e839) * _e894);
@@ -728,14 +740,14 @@ let _e1103 = select(_e958, _e1099, _e1102);
 let _e1105 = (select(_e958, _e1101, _e1102) - _e1103);
 let _e1109 = global_5.member.member_13.member_6;
 if (_e1109 == 0u) {
-phi_2937_ = _e1105;
+phi_2938_ = _e1105;
 } else {
 let _e1112 = (_e1105 / f32(_e1109));
-phi_2212_ = 0u;
-phi_2215_ = 0f;
+phi_2213_ = 0u;
+phi_2216_ = 0f;
 loop {
-let _e1114 = phi_2212_;
-let _e1116 = phi_2215_;
+let _e1114 = phi_2213_;
+let _e1116 = phi_2216_;
 local_68 = _e1116;
 let _e1119 = ((_e1114 < _e1109) && (_e1105 > 0f));
 if _e1119 {
@@ -787,29 +799,29 @@ local_14 = (_e1160 - f32(_e1197));
 let _e1234 = (_e1197 + 1i);
 let _e1236 = select(_e1234, 0i, (_e1234 < 0i));
 if (_e1236 >= _e1139) {
-phi_2356_ = (_e1139 - 1i);
+phi_2357_ = (_e1139 - 1i);
 } else {
-phi_2356_ = _e1236;
+phi_2357_ = _e1236;
 }
-let _e1240 = phi_2356_;
+let _e1240 = phi_2357_;
 local_15 = (_e1240 - _e1197);
 let _e1242 = (_e1212 + 1i);
 let _e1244 = select(_e1242, 0i, (_e1242 < 0i));
 if (_e1244 >= _e1144) {
-phi_2369_ = (_e1144 - 1i);
+phi_2370_ = (_e1144 - 1i);
 } else {
-phi_2369_ = _e1244;
+phi_2370_ = _e1244;
 }
-let _e1248 = phi_2369_;
+let _e1248 = phi_2370_;
 let _e1250 = ((_e1248 - _e1212) * _e1139);
 let _e1251 = (_e1227 + 1i);
 let _e1253 = select(_e1251, 0i, (_e1251 < 0i));
 if (_e1253 >= _e1149) {
-phi_2383_ = (_e1149 - 1i);
+phi_2384_ = (_e1149 - 1i);
 } else {
-phi_2383_ = _e1253;
+phi_2384_ = _e1253;
 }
-let _e1257 = phi_2383_;
+let _e1257 = phi_2384_;
 let _e1264 = global_5.member.member_13.member_10;
 let _e1265 = bitcast<i32>(_e1264);
 let _e1270 = ((_e1265 + (((_e1227 * _e1144) + _e1212) * _e1139)) + _e1197);
@@ -878,29 +890,29 @@ local_12 = (_e1389 - f32(_e1420));
 let _e1457 = (_e1420 + 1i);
 let _e1459 = select(_e1457, 0i, (_e1457 < 0i));
 if (_e1459 >= _e1139) {
-phi_2705_ = (_e1139 - 1i);
+phi_2706_ = (_e1139 - 1i);
 } else {
-phi_2705_ = _e1459;
+phi_2706_ = _e1459;
 }
-let _e1463 = phi_2705_;
+let _e1463 = phi_2706_;
 local_13 = (_e1463 - _e1420);
 let _e1465 = (_e1435 + 1i);
 let _e1467 = select(_e1465, 0i, (_e1465 < 0i));
 if (_e1467 >= _e1144) {
-phi_2718_ = (_e1144 - 1i);
+phi_2719_ = (_e1144 - 1i);
 } else {
-phi_2718_ = _e1467;
+phi_2719_ = _e1467;
 }
-let _e1471 = phi_2718_;
+let _e1471 = phi_2719_;
 let _e1473 = ((_e1471 - _e1435) * _e1139);
 let _e1474 = (_e1450 + 1i);
 let _e1476 = select(_e1474, 0i, (_e1474 < 0i));
 if (_e1476 >= _e1149) {
-phi_2732_ = (_e1149 - 1i);
+phi_2733_ = (_e1149 - 1i);
 } else {
-phi_2732_ = _e1476;
+phi_2733_ = _e1476;
 }
-let _e1480 = phi_2732_;
+let _e1480 = phi_2733_;
 let _e1488 = ((_e1265 + (((_e1450 * _e1144) + _e1435) * _e1139)) + _e1420);
 let _e1490 = select(_e1272, _e1488, (_e1488 < _e1272));
 let _e1495 = global_3.member[bitcast<u32>(select(0i, _e1490, (_e1490 > 0i)))];
@@ -938,25 +950,25 @@ let _e1574 = (_e1562 + _e1573);
 let _e1576 = select(_e1272, _e1574, (_e1574 < _e1272));
 let _e1581 = global_3.member[bitcast<u32>(select(0i, _e1576, (_e1576 > 0i)))];
 let _e1582 = local_12;
-phi_2213_ = (_e1114 + 1u);
-phi_2216_ = (_e1116 + ((0.5f * (((((((_e1279 * (1f - _e1280)) + (_e1291 * _e1292)) * _e1295) + (((_e1304 * (1f - _e1305)) + (_e1316 * _e1317)) * _e1231)) * (1f - _e1233)) + (((((_e1329 * (1f - _e1330)) + (_e1341 * _e1342)) * _e1295) + (((_e1353 * (1f - _e1354)) + (_e1365 * _e1366)) * _e1231)) * _e1233)) + ((((((_e1495 * (1f - _e1496)) + (_e1507 * _e1508)) * _e1511) + (((_e1520 * (1f - _e1521)) + (_e1532 * _e1533)) * _e1454)) * (1f - _e1456)) + (((((_e1545 * (1f - _e1546)) + (_e1557 * _e1558)) * _e1511) + (((_e1569 * (1f - _e1570)) + (_e1581 * _e1582)) * _e1454)) * _e1456)))) * _e1126));
+phi_2214_ = (_e1114 + 1u);
+phi_2217_ = (_e1116 + ((0.5f * (((((((_e1279 * (1f - _e1280)) + (_e1291 * _e1292)) * _e1295) + (((_e1304 * (1f - _e1305)) + (_e1316 * _e1317)) * _e1231)) * (1f - _e1233)) + (((((_e1329 * (1f - _e1330)) + (_e1341 * _e1342)) * _e1295) + (((_e1353 * (1f - _e1354)) + (_e1365 * _e1366)) * _e1231)) * _e1233)) + ((((((_e1495 * (1f - _e1496)) + (_e1507 * _e1508)) * _e1511) + (((_e1520 * (1f - _e1521)) + (_e1532 * _e1533)) * _e1454)) * (1f - _e1456)) + (((((_e1545 * (1f - _e1546)) + (_e1557 * _e1558)) * _e1511) + (((_e1569 * (1f - _e1570)) + (_e1581 * _e1582)) * _e1454)) * _e1456)))) * _e1126));
 } else {
-phi_2213_ = u32();
-phi_2216_ = f32();
+phi_2214_ = u32();
+phi_2217_ = f32();
 }
-let _e1597 = phi_2213_;
-let _e1599 = phi_2216_;
+let _e1597 = phi_2214_;
+let _e1599 = phi_2217_;
 continue;
 continuing {
-phi_2212_ = _e1597;
-phi_2215_ = _e1599;
+phi_2213_ = _e1597;
+phi_2216_ = _e1599;
 break if !(_e1119);
 }
 }
 let _e10387 = local_68;
-phi_2937_ = _e10387;
+phi_2938_ = _e10387;
 }
-let _e1602 = phi_2937_;
+let _e1602 = phi_2938_;
 let _e1606 = global_5.member.member_13.member;
 let _e1611 = -((_e1606.member * _e1602));
 let _e1613 = select(-87f, _e1611, (_e1611 > -87f));
@@ -992,42 +1004,42 @@ let _e1756 = (1f / 3f);
 let _e1758 = (1f * ((1f + (_e1637 * (1f + (_e1637 * (0.5f + (_e1637 * (0.16666667f + (_e1637 * (0.041666668f + (_e1637 * (0.008333334f + (_e1637 * (0.001388889f + (_e1637 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1632 + 127i)) << bitcast<u32>(23i)))));
 let _e1759 = (1f * ((1f + (_e1685 * (1f + (_e1685 * (0.5f + (_e1685 * (0.16666667f + (_e1685 * (0.041666668f + (_e1685 * (0.008333334f + (_e1685 * (0.001388889f + (_e1685 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1680 + 127i)) << bitcast<u32>(23i)))));
 let _e1760 = (1f * ((1f + (_e1733 * (1f + (_e1733 * (0.5f + (_e1733 * (0.16666667f + (_e1733 * (0.041666668f + (_e1733 * (0.008333334f + (_e1733 * (0.001388889f + (_e1733 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1728 + 127i)) << bitcast<u32>(23i)))));
-let _e1789 = type_26(_e1051.member, _e1051.member_1, _e1051.member_2, _e1051.member_3, _e1051.member_4, _e1051.member_5, vec3<f32>(_e1758, _e1759, _e1760), _e1051.member_7, _e1051.member_8, _e1051.member_9, _e1051.member_10, _e1051.member_11, _e1051.member_12, _e1051.member_13, _e1051.member_14, _e1051.member_15, _e1051.member_16, _e1051.member_17, _e1051.member_18, _e1051.member_19, _e1051.member_20, _e1051.member_21, _e1051.member_22, _e1051.member_23, _e1051.member_24, _e1051.member_25, _e1051.member_26, _e1051.member_27);
+let _e1789 = type_27(_e1051.member, _e1051.member_1, _e1051.member_2, _e1051.member_3, _e1051.member_4, _e1051.member_5, vec3<f32>(_e1758, _e1759, _e1760), _e1051.member_7, _e1051.member_8, _e1051.member_9, _e1051.member_10, _e1051.member_11, _e1051.member_12, _e1051.member_13, _e1051.member_14, _e1051.member_15, _e1051.member_16, _e1051.member_17, _e1051.member_18, _e1051.member_19, _e1051.member_20, _e1051.member_21, _e1051.member_22, _e1051.member_23, _e1051.member_24, _e1051.member_25, _e1051.member_26, _e1051.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e733) {
-phi_3165_ = ((((1f + 1f) + 1f) * _e1756) - (((_e1758 + _e1759) + _e1760) * _e1756));
+phi_3166_ = ((((1f + 1f) + 1f) * _e1756) - (((_e1758 + _e1759) + _e1760) * _e1756));
 } else {
-phi_3165_ = 0f;
+phi_3166_ = 0f;
 }
-let _e1798 = phi_3165_;
-let _e1827 = type_26(_e1789.member, _e1789.member_1, _e1789.member_2, _e1789.member_3, _e1789.member_4, _e1789.member_5, _e1789.member_6, _e1789.member_7, _e1789.member_8, _e1789.member_9, _e1789.member_10, _e1789.member_11, _e1789.member_12, _e1789.member_13, _e1789.member_14, _e1789.member_15, _e1789.member_16, _e1789.member_17, _e1789.member_18, _e1789.member_19, _e1789.member_20, _e1789.member_21, _e1789.member_22, _e1789.member_23, _e1789.member_24, _e1789.member_25, (_e612 + _e1798), _e1789.member_27);
+let _e1798 = phi_3166_;
+let _e1827 = type_27(_e1789.member, _e1789.member_1, _e1789.member_2, _e1789.member_3, _e1789.member_4, _e1789.member_5, _e1789.member_6, _e1789.member_7, _e1789.member_8, _e1789.member_9, _e1789.member_10, _e1789.member_11, _e1789.member_12, _e1789.member_13, _e1789.member_14, _e1789.member_15, _e1789.member_16, _e1789.member_17, _e1789.member_18, _e1789.member_19, _e1789.member_20, _e1789.member_21, _e1789.member_22, _e1789.member_23, _e1789.member_24, _e1789.member_25, (_e612 + _e1798), _e1789.member_27);
 if _e962 {
-let _e1857 = type_26(_e1827.member, _e1827.member_1, _e1827.member_2, _e1827.member_3, _e1827.member_4, _e1827.member_5, _e1827.member_6, _e1827.member_7, (bitcast<i32>(_e141) / 8i), _e1827.member_9, _e1827.member_10, _e1827.member_11, _e1827.member_12, _e1827.member_13, _e1827.member_14, _e1827.member_15, _e1827.member_16, _e1827.member_17, _e1827.member_18, _e1827.member_19, _e1827.member_20, _e1827.member_21, _e1827.member_22, _e1827.member_23, _e1827.member_24, _e1827.member_25, _e1827.member_26, _e1827.member_27);
-phi_3192_ = type_26(_e1857.member, _e1857.member_1, _e1857.member_2, _e1857.member_3, _e1857.member_4, _e1857.member_5, _e1857.member_6, _e1857.member_7, _e1857.member_8, _e1857.member_9, _e1857.member_10, _e1857.member_11, _e1857.member_12, _e1857.member_13, _e1857.member_14, 3f, _e1857.member_16, _e1857.member_17, _e1857.member_18, _e1857.member_19, _e1857.member_20, _e1857.member_21, _e1857.member_22, _e1857.member_23, _e1857.member_24, _e1857.member_25, _e1857.member_26, _e1857.member_27);
+let _e1857 = type_27(_e1827.member, _e1827.member_1, _e1827.member_2, _e1827.member_3, _e1827.member_4, _e1827.member_5, _e1827.member_6, _e1827.member_7, (bitcast<i32>(_e141) / 8i), _e1827.member_9, _e1827.member_10, _e1827.member_11, _e1827.member_12, _e1827.member_13, _e1827.member_14, _e1827.member_15, _e1827.member_16, _e1827.member_17, _e1827.member_18, _e1827.member_19, _e1827.member_20, _e1827.member_21, _e1827.member_22, _e1827.member_23, _e1827.member_24, _e1827.member_25, _e1827.member_26, _e1827.member_27);
+phi_3193_ = type_27(_e1857.member, _e1857.member_1, _e1857.member_2, _e1857.member_3, _e1857.member_4, _e1857.member_5, _e1857.member_6, _e1857.member_7, _e1857.member_8, _e1857.member_9, _e1857.member_10, _e1857.member_11, _e1857.member_12, _e1857.member_13, _e1857.member_14, 3f, _e1857.member_16, _e1857.member_17, _e1857.member_18, _e1857.member_19, _e1857.member_20, _e1857.member_21, _e1857.member_22, _e1857.member_23, _e1857.member_24, _e1857.member_25, _e1857.member_26, _e1857.member_27);
 } else {
-phi_3192_ = _e1827;
+phi_3193_ = _e1827;
 }
-let _e1887 = phi_3192_;
-phi_3193_ = _e1887;
+let _e1887 = phi_3193_;
+phi_3194_ = _e1887;
 } else {
-phi_3193_ = type_26(vec3<f32>(_e173, _e183, _e194), vec3<f32>(_e205, _e216, _e227), vec3<f32>(_e238, _e249, _e260), vec3<f32>(_e271, _e282, _e293), vec3<f32>(_e304, _e315, _e326), vec3<f32>(_e337, _e348, _e359), vec3<f32>(_e370, _e381, _e392), select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < -2147483600f)), 2147483647i, (_e403 > 2147483500f)), (_e403 == _e403)), select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < -2147483600f)), 2147483647i, (_e414 > 2147483500f)), (_e414 == _e414)), select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < -2147483600f)), 2147483647i, (_e425 > 2147483500f)), (_e425 == _e425)), _e436, select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < -2147483600f)), 2147483647i, (_e447 > 2147483500f)), (_e447 == _e447)), select(0i, select(select(i32(_e458), i32(-2147483648), (_e458 < -2147483600f)), 2147483647i, (_e458 > 2147483500f)), (_e458 == _e458)), _e469, _e480, _e491, select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < -2147483600f)), 2147483647i, (_e502 > 2147483500f)), (_e502 == _e502)), _e712, _e719, _e726, _e733, _e740, _e630, _e579, _e590, _e601, _e612, _e623);
+phi_3194_ = type_27(vec3<f32>(_e173, _e183, _e194), vec3<f32>(_e205, _e216, _e227), vec3<f32>(_e238, _e249, _e260), vec3<f32>(_e271, _e282, _e293), vec3<f32>(_e304, _e315, _e326), vec3<f32>(_e337, _e348, _e359), vec3<f32>(_e370, _e381, _e392), select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < -2147483600f)), 2147483647i, (_e403 > 2147483500f)), (_e403 == _e403)), select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < -2147483600f)), 2147483647i, (_e414 > 2147483500f)), (_e414 == _e414)), select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < -2147483600f)), 2147483647i, (_e425 > 2147483500f)), (_e425 == _e425)), _e436, select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < -2147483600f)), 2147483647i, (_e447 > 2147483500f)), (_e447 == _e447)), select(0i, select(select(i32(_e458), i32(-2147483648), (_e458 < -2147483600f)), 2147483647i, (_e458 > 2147483500f)), (_e458 == _e458)), _e469, _e480, _e491, select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < -2147483600f)), 2147483647i, (_e502 > 2147483500f)), (_e502 == _e502)), _e712, _e719, _e726, _e733, _e740, _e630, _e579, _e590, _e601, _e612, _e623);
 }
-let _e1889 = phi_3193_;
+let _e1889 = phi_3194_;
 let _e1890 = bitcast<i32>(_e141);
 let _e1891 = (_e1890 / 8i);
 let _e1893 = (_e1889.member_15 == 2f);
 if _e1893 {
-phi_3213_ = type_26(_e1889.member, _e1889.member_1, _e1889.member_2, _e1889.member_3, _e1889.member_4, _e1889.member_5, _e1889.member_6, _e1889.member_7, _e1889.member_8, _e1889.member_9, _e1889.member_10, _e1889.member_11, _e1889.member_12, _e1889.member_13, _e1889.member_14, 1f, _e1889.member_16, _e1889.member_17, _e1889.member_18, _e1889.member_19, _e1889.member_20, _e1889.member_21, _e1889.member_22, _e1889.member_23, _e1889.member_24, _e1889.member_25, _e1889.member_26, _e1889.member_27);
+phi_3214_ = type_27(_e1889.member, _e1889.member_1, _e1889.member_2, _e1889.member_3, _e1889.member_4, _e1889.member_5, _e1889.member_6, _e1889.member_7, _e1889.member_8, _e1889.member_9, _e1889.member_10, _e1889.member_11, _e1889.member_12, _e1889.member_13, _e1889.member_14, 1f, _e1889.member_16, _e1889.member_17, _e1889.member_18, _e1889.member_19, _e1889.member_20, _e1889.member_21, _e1889.member_22, _e1889.member_23, _e1889.member_24, _e1889.member_25, _e1889.member_26, _e1889.member_27);
 } else {
-phi_3213_ = _e1889;
+phi_3214_ = _e1889;
 }
-let _e1923 = phi_3213_;
-phi_3215_ = _e1923;
-phi_3218_ = 0i;
-phi_3220_ = _e1893;
+let _e1923 = phi_3214_;
+phi_3216_ = _e1923;
+phi_3219_ = 0i;
+phi_3221_ = _e1893;
 loop {
-let _e1925 = phi_3215_;
-let _e1927 = phi_3218_;
-let _e1929 = phi_3220_;
+let _e1925 = phi_3216_;
+let _e1927 = phi_3219_;
+let _e1929 = phi_3221_;
 local_26 = _e1925;
 local_27 = _e1925;
 local_28 = _e1925;
@@ -1118,16 +1130,16 @@ let _e9377 = ((_e9336 * _e9367) - (_e9337 * _e9366));
 let _e9382 = (((_e9371 * _e9371) + (_e9374 * _e9374)) + (_e9377 * _e9377));
 let _e9385 = sqrt(select(0f, _e9382, (_e9382 > 0f)));
 let _e9388 = (1f / select(1e-20f, _e9385, (_e9385 > 1e-20f)));
-phi_3446_ = (((_e1925.member_1.x * (_e9371 * _e9388)) + (_e1925.member_1.y * (_e9374 * _e9388))) + (_e1925.member_1.z * (_e9377 * _e9388)));
+phi_3447_ = (((_e1925.member_1.x * (_e9371 * _e9388)) + (_e1925.member_1.y * (_e9374 * _e9388))) + (_e1925.member_1.z * (_e9377 * _e9388)));
 } else {
-phi_3446_ = 1f;
+phi_3447_ = 1f;
 }
-let _e9401 = phi_3446_;
+let _e9401 = phi_3447_;
 let _e9408 = select(0i, select(select(i32(_e9273), i32(-2147483648), (_e9273 < -2147483600f)), 2147483647i, (_e9273 > 2147483500f)), (_e9273 == _e9273));
 let _e9415 = select(0i, select(select(i32(_e9275), i32(-2147483648), (_e9275 < -2147483600f)), 2147483647i, (_e9275 > 2147483500f)), (_e9275 == _e9275));
 let _e9418 = bitcast<f32>((bitcast<u32>(_e9401) & 2147483647u));
 let _e9420 = select(1e-3f, _e9418, (_e9418 > 1e-3f));
-let _e9421 = type_27(_e9408, _e9415, _e1925.member_13, _e1925.member_14, _e9420);
+let _e9421 = type_28(_e9408, _e9415, _e1925.member_13, _e1925.member_14, _e9420);
 let _e9426 = global_5.member.member_12.member;
 let _e9429 = (_e1925.member_10 + select(0f, (_e9426 / _e9420), _e9279));
 let _e9433 = (_e1925.member_8 * 8i);
@@ -1175,20 +1187,20 @@ let _e9552 = (_e9433 + 6i);
 let _e9554 = select(_e9458, _e9552, (_e9552 < _e9458));
 let _e9560 = global_1.member[bitcast<u32>(select(0i, _e9554, (_e9554 > 0i)))];
 if _e9551 {
-phi_3759_ = (_e1925.member_8 + 1i);
+phi_3760_ = (_e1925.member_8 + 1i);
 } else {
 let _e9568 = (_e9433 + 7i);
 let _e9570 = select(_e9458, _e9568, (_e9568 < _e9458));
 let _e9576 = global_1.member[bitcast<u32>(select(0i, _e9570, (_e9570 > 0i)))];
-phi_3759_ = select(0i, select(select(i32(_e9576), i32(-2147483648), (_e9576 < -2147483600f)), 2147483647i, (_e9576 > 2147483500f)), (_e9576 == _e9576));
+phi_3760_ = select(0i, select(select(i32(_e9576), i32(-2147483648), (_e9576 < -2147483600f)), 2147483647i, (_e9576 > 2147483500f)), (_e9576 == _e9576));
 }
-let _e9586 = phi_3759_;
-let _e9587 = type_17(_e1925.member, _e1925.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9277, _e1925.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9586, _e1925.member_9, _e1925.member_10);
+let _e9586 = phi_3760_;
+let _e9587 = type_19(_e1925.member, _e1925.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9277, _e1925.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9586, _e1925.member_9, _e1925.member_10);
 let _e9588 = select(-1i, select(0i, select(select(i32(_e9560), i32(-2147483648), (_e9560 < -2147483600f)), 2147483647i, (_e9560 > 2147483500f)), (_e9560 == _e9560)), _e9551);
 if (_e9588 < 0i) {
-phi_4539_ = type_27();
-phi_4540_ = type_17();
-phi_4541_ = true;
+phi_4540_ = type_28();
+phi_4541_ = type_19();
+phi_4542_ = true;
 } else {
 let _e9592 = ((_e9436 >= _e9444) && (_e9436 >= _e9452));
 let _e9595 = (!(_e9592) && (_e9444 >= _e9452));
@@ -1248,9 +1260,9 @@ let _e9740 = ((_e9732 + _e9735) + _e9738);
 let _e9754 = (!(((((_e9732 < 0f) || (_e9735 < 0f)) || (_e9738 < 0f)) && (((_e9732 > 0f) || (_e9735 > 0f)) || (_e9738 > 0f)))) && (_e9740 != 0f));
 let _e9762 = select(1e30f, ((((_e9732 * (_e9642 * _e9602)) + (_e9735 * (_e9683 * _e9602))) + (_e9738 * (_e9724 * _e9602))) / select(1f, _e9740, _e9754)), _e9754);
 if (_e9762 >= _e9429) {
-phi_4533_ = type_27();
-phi_4534_ = type_17();
-phi_4535_ = true;
+phi_4534_ = type_28();
+phi_4535_ = type_19();
+phi_4536_ = true;
 } else {
 let _e9764 = (_e9656 - _e9615);
 let _e9765 = (_e9665 - _e9624);
@@ -1278,11 +1290,11 @@ let _e9829 = global_3.member[bitcast<u32>(select(0i, _e9823, (_e9823 > 0i)))];
 let _e9831 = select(_e9829, 1f, (_e9818 == 16i));
 let _e9832 = (_e9831 <= 0f);
 if _e9832 {
-phi_4370_ = 0i;
+phi_4371_ = 0i;
 } else {
-phi_4370_ = (1i << bitcast<u32>((_e9818 & 31i)));
+phi_4371_ = (1i << bitcast<u32>((_e9818 & 31i)));
 }
-let _e9837 = phi_4370_;
+let _e9837 = phi_4371_;
 let _e9838 = (_e9797 < 0f);
 let _e9839 = select(_e9837, 0i, _e9838);
 let _e9840 = select(0i, _e9837, _e9838);
@@ -1299,81 +1311,81 @@ let _e9898 = (_e9897 * 4i);
 let _e9900 = select(_e9821, _e9898, (_e9898 < _e9821));
 let _e9906 = global_3.member[bitcast<u32>(select(0i, _e9900, (_e9900 > 0i)))];
 if (_e9832 != (select(_e9906, 1f, (_e9897 == 16i)) <= 0f)) {
-phi_4515_ = _e9832;
+phi_4516_ = _e9832;
 } else {
 if (!(_e9832) && (_e9818 != _e9897)) {
-phi_4514_ = (_e9818 < _e9897);
+phi_4515_ = (_e9818 < _e9897);
 } else {
-phi_4514_ = _e9863;
+phi_4515_ = _e9863;
 }
-let _e9916 = phi_4514_;
-phi_4515_ = _e9916;
+let _e9916 = phi_4515_;
+phi_4516_ = _e9916;
 }
-let _e9918 = phi_4515_;
-phi_4521_ = type_27((_e9408 | _e9840), (_e9415 | _e9839), _e1925.member_13, select(_e9762, _e1925.member_14, (_e1925.member_14 > _e9762)), _e9420);
-phi_4522_ = _e9918;
+let _e9918 = phi_4516_;
+phi_4522_ = type_28((_e9408 | _e9840), (_e9415 | _e9839), _e1925.member_13, select(_e9762, _e1925.member_14, (_e1925.member_14 > _e9762)), _e9420);
+phi_4523_ = _e9918;
 } else {
 if _e9863 {
-phi_4520_ = type_27(_e9840, _e9839, _e1925.member_13, _e9762, _e9420);
+phi_4521_ = type_28(_e9840, _e9839, _e1925.member_13, _e9762, _e9420);
 } else {
-phi_4520_ = _e9421;
+phi_4521_ = _e9421;
 }
-let _e9875 = phi_4520_;
-phi_4521_ = _e9875;
-phi_4522_ = _e9863;
+let _e9875 = phi_4521_;
+phi_4522_ = _e9875;
+phi_4523_ = _e9863;
 }
-let _e9920 = phi_4521_;
-let _e9922 = phi_4522_;
+let _e9920 = phi_4522_;
+let _e9922 = phi_4523_;
 if _e9922 {
-phi_4529_ = type_17(_e1925.member, _e1925.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9277, _e1925.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9586, _e9588, _e9762);
+phi_4530_ = type_19(_e1925.member, _e1925.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9277, _e1925.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9586, _e9588, _e9762);
 } else {
-phi_4529_ = _e9587;
+phi_4530_ = _e9587;
 }
-let _e9925 = phi_4529_;
-phi_4530_ = _e9920;
-phi_4531_ = _e9925;
+let _e9925 = phi_4530_;
+phi_4531_ = _e9920;
+phi_4532_ = _e9925;
 } else {
-phi_4530_ = type_27();
-phi_4531_ = type_17();
+phi_4531_ = type_28();
+phi_4532_ = type_19();
 }
-let _e9927 = phi_4530_;
-let _e9929 = phi_4531_;
-phi_4533_ = _e9927;
-phi_4534_ = _e9929;
-phi_4535_ = select(true, false, _e9862);
+let _e9927 = phi_4531_;
+let _e9929 = phi_4532_;
+phi_4534_ = _e9927;
+phi_4535_ = _e9929;
+phi_4536_ = select(true, false, _e9862);
 }
-let _e9932 = phi_4533_;
-let _e9934 = phi_4534_;
-let _e9936 = phi_4535_;
-phi_4539_ = _e9932;
-phi_4540_ = _e9934;
-phi_4541_ = _e9936;
+let _e9932 = phi_4534_;
+let _e9934 = phi_4535_;
+let _e9936 = phi_4536_;
+phi_4540_ = _e9932;
+phi_4541_ = _e9934;
+phi_4542_ = _e9936;
 }
-let _e9938 = phi_4539_;
-let _e9940 = phi_4540_;
-let _e9942 = phi_4541_;
+let _e9938 = phi_4540_;
+let _e9940 = phi_4541_;
+let _e9942 = phi_4542_;
 if _e9942 {
-phi_4545_ = _e9421;
-phi_4546_ = _e9587;
+phi_4546_ = _e9421;
+phi_4547_ = _e9587;
 } else {
-phi_4545_ = _e9938;
-phi_4546_ = _e9940;
+phi_4546_ = _e9938;
+phi_4547_ = _e9940;
 }
-let _e9944 = phi_4545_;
-let _e9946 = phi_4546_;
-let _e9975 = type_26(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, _e1925.member_6, _e1925.member_7, _e9946.member_15, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, _e1925.member_15, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
-let _e10004 = type_26(_e9975.member, _e9975.member_1, _e9975.member_2, _e9975.member_3, _e9975.member_4, _e9975.member_5, _e9975.member_6, _e9975.member_7, _e9975.member_8, _e9946.member_16, _e9975.member_10, _e9975.member_11, _e9975.member_12, _e9975.member_13, _e9975.member_14, _e9975.member_15, _e9975.member_16, _e9975.member_17, _e9975.member_18, _e9975.member_19, _e9975.member_20, _e9975.member_21, _e9975.member_22, _e9975.member_23, _e9975.member_24, _e9975.member_25, _e9975.member_26, _e9975.member_27);
-let _e10033 = type_26(_e10004.member, _e10004.member_1, _e10004.member_2, _e10004.member_3, _e10004.member_4, _e10004.member_5, _e10004.member_6, _e10004.member_7, _e10004.member_8, _e10004.member_9, _e9946.member_17, _e10004.member_11, _e10004.member_12, _e10004.member_13, _e10004.member_14, _e10004.member_15, _e10004.member_16, _e10004.member_17, _e10004.member_18, _e10004.member_19, _e10004.member_20, _e10004.member_21, _e10004.member_22, _e10004.member_23, _e10004.member_24, _e10004.member_25, _e10004.member_26, _e10004.member_27);
-let _e10062 = type_26(_e10033.member, _e10033.member_1, _e10033.member_2, _e10033.member_3, _e10033.member_4, _e10033.member_5, _e10033.member_6, _e10033.member_7, _e10033.member_8, _e10033.member_9, _e10033.member_10, _e9944.member, _e10033.member_12, _e10033.member_13, _e10033.member_14, _e10033.member_15, _e10033.member_16, _e10033.member_17, _e10033.member_18, _e10033.member_19, _e10033.member_20, _e10033.member_21, _e10033.member_22, _e10033.member_23, _e10033.member_24, _e10033.member_25, _e10033.member_26, _e10033.member_27);
-let _e10091 = type_26(_e10062.member, _e10062.member_1, _e10062.member_2, _e10062.member_3, _e10062.member_4, _e10062.member_5, _e10062.member_6, _e10062.member_7, _e10062.member_8, _e10062.member_9, _e10062.member_10, _e10062.member_11, _e9944.member_1, _e10062.member_13, _e10062.member_14, _e10062.member_15, _e10062.member_16, _e10062.member_17, _e10062.member_18, _e10062.member_19, _e10062.member_20, _e10062.member_21, _e10062.member_22, _e10062.member_23, _e10062.member_24, _e10062.member_25, _e10062.member_26, _e10062.member_27);
-phi_12423_ = type_26(_e10091.member, _e10091.member_1, _e10091.member_2, _e10091.member_3, _e10091.member_4, _e10091.member_5, _e10091.member_6, _e10091.member_7, _e10091.member_8, _e10091.member_9, _e10091.member_10, _e10091.member_11, _e10091.member_12, _e10091.member_13, _e9944.member_3, _e10091.member_15, _e10091.member_16, _e10091.member_17, _e10091.member_18, _e10091.member_19, _e10091.member_20, _e10091.member_21, _e10091.member_22, _e10091.member_23, _e10091.member_24, _e10091.member_25, _e10091.member_26, _e10091.member_27);
-phi_12424_ = _e1929;
+let _e9944 = phi_4546_;
+let _e9946 = phi_4547_;
+let _e9975 = type_27(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, _e1925.member_6, _e1925.member_7, _e9946.member_15, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, _e1925.member_15, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
+let _e10004 = type_27(_e9975.member, _e9975.member_1, _e9975.member_2, _e9975.member_3, _e9975.member_4, _e9975.member_5, _e9975.member_6, _e9975.member_7, _e9975.member_8, _e9946.member_16, _e9975.member_10, _e9975.member_11, _e9975.member_12, _e9975.member_13, _e9975.member_14, _e9975.member_15, _e9975.member_16, _e9975.member_17, _e9975.member_18, _e9975.member_19, _e9975.member_20, _e9975.member_21, _e9975.member_22, _e9975.member_23, _e9975.member_24, _e9975.member_25, _e9975.member_26, _e9975.member_27);
+let _e10033 = type_27(_e10004.member, _e10004.member_1, _e10004.member_2, _e10004.member_3, _e10004.member_4, _e10004.member_5, _e10004.member_6, _e10004.member_7, _e10004.member_8, _e10004.member_9, _e9946.member_17, _e10004.member_11, _e10004.member_12, _e10004.member_13, _e10004.member_14, _e10004.member_15, _e10004.member_16, _e10004.member_17, _e10004.member_18, _e10004.member_19, _e10004.member_20, _e10004.member_21, _e10004.member_22, _e10004.member_23, _e10004.member_24, _e10004.member_25, _e10004.member_26, _e10004.member_27);
+let _e10062 = type_27(_e10033.member, _e10033.member_1, _e10033.member_2, _e10033.member_3, _e10033.member_4, _e10033.member_5, _e10033.member_6, _e10033.member_7, _e10033.member_8, _e10033.member_9, _e10033.member_10, _e9944.member, _e10033.member_12, _e10033.member_13, _e10033.member_14, _e10033.member_15, _e10033.member_16, _e10033.member_17, _e10033.member_18, _e10033.member_19, _e10033.member_20, _e10033.member_21, _e10033.member_22, _e10033.member_23, _e10033.member_24, _e10033.member_25, _e10033.member_26, _e10033.member_27);
+let _e10091 = type_27(_e10062.member, _e10062.member_1, _e10062.member_2, _e10062.member_3, _e10062.member_4, _e10062.member_5, _e10062.member_6, _e10062.member_7, _e10062.member_8, _e10062.member_9, _e10062.member_10, _e10062.member_11, _e9944.member_1, _e10062.member_13, _e10062.member_14, _e10062.member_15, _e10062.member_16, _e10062.member_17, _e10062.member_18, _e10062.member_19, _e10062.member_20, _e10062.member_21, _e10062.member_22, _e10062.member_23, _e10062.member_24, _e10062.member_25, _e10062.member_26, _e10062.member_27);
+phi_12424_ = type_27(_e10091.member, _e10091.member_1, _e10091.member_2, _e10091.member_3, _e10091.member_4, _e10091.member_5, _e10091.member_6, _e10091.member_7, _e10091.member_8, _e10091.member_9, _e10091.member_10, _e10091.member_11, _e10091.member_12, _e10091.member_13, _e9944.member_3, _e10091.member_15, _e10091.member_16, _e10091.member_17, _e10091.member_18, _e10091.member_19, _e10091.member_20, _e10091.member_21, _e10091.member_22, _e10091.member_23, _e10091.member_24, _e10091.member_25, _e10091.member_26, _e10091.member_27);
+phi_12425_ = _e1929;
 } else {
-phi_4561_ = 15i;
-phi_4564_ = 16i;
+phi_4562_ = 15i;
+phi_4565_ = 16i;
 loop {
-let _e1939 = phi_4561_;
-let _e1941 = phi_4564_;
+let _e1939 = phi_4562_;
+let _e1941 = phi_4565_;
 local_16 = _e1941;
 local_17 = _e1941;
 local_18 = _e1941;
@@ -1381,18 +1393,18 @@ local_20 = _e1941;
 local_23 = _e1941;
 let _e1942 = (_e1939 >= 0i);
 if _e1942 {
-phi_4562_ = (_e1939 - 1i);
-phi_4565_ = select(_e1941, _e1939, (((_e1925.member_7 >> bitcast<u32>((_e1939 & 31i))) & 1i) == 1i));
+phi_4563_ = (_e1939 - 1i);
+phi_4566_ = select(_e1941, _e1939, (((_e1925.member_7 >> bitcast<u32>((_e1939 & 31i))) & 1i) == 1i));
 } else {
-phi_4562_ = i32();
-phi_4565_ = i32();
+phi_4563_ = i32();
+phi_4566_ = i32();
 }
-let _e1951 = phi_4562_;
-let _e1953 = phi_4565_;
+let _e1951 = phi_4563_;
+let _e1953 = phi_4566_;
 continue;
 continuing {
-phi_4561_ = _e1951;
-phi_4564_ = _e1953;
+phi_4562_ = _e1951;
+phi_4565_ = _e1953;
 break if !(_e1942);
 }
 }
@@ -1401,8 +1413,8 @@ let _e1957 = (_e1956 == 16i);
 let _e1969 = (bitcast<i32>(countOneBits(bitcast<u32>((_e1925.member_17 & ((1i << bitcast<u32>((_e1925.member_16 & 31i))) - 1i))))) == _e1925.member_20);
 let _e1972 = ((_e1957 && _e1969) && !(_e1929));
 if _e1972 {
-let _e9234 = type_26(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, _e1925.member_6, _e1925.member_7, _e1925.member_8, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, 2f, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
-phi_12421_ = type_26(_e9234.member, _e9234.member_1, _e9234.member_2, _e9234.member_3, _e9234.member_4, _e9234.member_5, _e9234.member_6, _e9234.member_7, _e9234.member_8, _e9234.member_9, _e9234.member_10, _e9234.member_11, _e9234.member_12, _e9234.member_13, _e9234.member_14, _e9234.member_15, _e9234.member_16, _e9234.member_17, _e9234.member_18, _e9234.member_19, _e9234.member_20, _e9234.member_21, (_e1925.member_22 + 1i), _e9234.member_23, _e9234.member_24, _e9234.member_25, _e9234.member_26, _e9234.member_27);
+let _e9234 = type_27(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, _e1925.member_6, _e1925.member_7, _e1925.member_8, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, 2f, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
+phi_12422_ = type_27(_e9234.member, _e9234.member_1, _e9234.member_2, _e9234.member_3, _e9234.member_4, _e9234.member_5, _e9234.member_6, _e9234.member_7, _e9234.member_8, _e9234.member_9, _e9234.member_10, _e9234.member_11, _e9234.member_12, _e9234.member_13, _e9234.member_14, _e9234.member_15, _e9234.member_16, _e9234.member_17, _e9234.member_18, _e9234.member_19, _e9234.member_20, _e9234.member_21, (_e1925.member_22 + 1i), _e9234.member_23, _e9234.member_24, _e9234.member_25, _e9234.member_26, _e9234.member_27);
 } else {
 let _e1974 = (_e1925.member_9 >= 0i);
 let _e1977 = (_e1925.member_10 - _e1925.member_13);
@@ -1419,11 +1431,11 @@ let _e2010 = global_3.member[bitcast<u32>(select(0i, _e2004, (_e2004 > 0i)))];
 let _e2012 = select(_e2010, 1f, (_e1999 == 16i));
 let _e2014 = (_e1974 && (_e2012 <= 0f));
 let _e2023 = ((_e1925.member_7 | (_e1925.member_11 & ~(_e1925.member_12))) & ~((_e1925.member_12 & ~(_e1925.member_11))));
-phi_4683_ = 15i;
-phi_4686_ = 16i;
+phi_4684_ = 15i;
+phi_4687_ = 16i;
 loop {
-let _e2025 = phi_4683_;
-let _e2027 = phi_4686_;
+let _e2025 = phi_4684_;
+let _e2027 = phi_4687_;
 local_19 = _e2027;
 local_21 = _e2027;
 local_22 = _e2027;
@@ -1431,18 +1443,18 @@ local_24 = _e2027;
 local_25 = _e2027;
 let _e2028 = (_e2025 >= 0i);
 if _e2028 {
-phi_4684_ = (_e2025 - 1i);
-phi_4687_ = select(_e2027, _e2025, (((_e2023 >> bitcast<u32>((_e2025 & 31i))) & 1i) == 1i));
+phi_4685_ = (_e2025 - 1i);
+phi_4688_ = select(_e2027, _e2025, (((_e2023 >> bitcast<u32>((_e2025 & 31i))) & 1i) == 1i));
 } else {
-phi_4684_ = i32();
-phi_4687_ = i32();
+phi_4685_ = i32();
+phi_4688_ = i32();
 }
-let _e2037 = phi_4684_;
-let _e2039 = phi_4687_;
+let _e2037 = phi_4685_;
+let _e2039 = phi_4688_;
 continue;
 continuing {
-phi_4683_ = _e2037;
-phi_4686_ = _e2039;
+phi_4684_ = _e2037;
+phi_4687_ = _e2039;
 break if !(_e2028);
 }
 }
@@ -1475,14 +1487,14 @@ let _e2382 = select(0f, _e2378, _e2381);
 let _e2384 = (select(0f, _e2380, _e2381) - _e2382);
 let _e2388 = global_5.member.member_13.member_6;
 if (_e2388 == 0u) {
-phi_5590_ = _e2384;
+phi_5591_ = _e2384;
 } else {
 let _e2391 = (_e2384 / f32(_e2388));
-phi_4865_ = 0u;
-phi_4868_ = 0f;
+phi_4866_ = 0u;
+phi_4869_ = 0f;
 loop {
-let _e2393 = phi_4865_;
-let _e2395 = phi_4868_;
+let _e2393 = phi_4866_;
+let _e2395 = phi_4869_;
 local_69 = _e2395;
 let _e2398 = ((_e2393 < _e2388) && (_e2384 > 0f));
 if _e2398 {
@@ -1534,29 +1546,29 @@ local_10 = (_e2439 - f32(_e2476));
 let _e2513 = (_e2476 + 1i);
 let _e2515 = select(_e2513, 0i, (_e2513 < 0i));
 if (_e2515 >= _e2418) {
-phi_5009_ = (_e2418 - 1i);
+phi_5010_ = (_e2418 - 1i);
 } else {
-phi_5009_ = _e2515;
+phi_5010_ = _e2515;
 }
-let _e2519 = phi_5009_;
+let _e2519 = phi_5010_;
 local_11 = (_e2519 - _e2476);
 let _e2521 = (_e2491 + 1i);
 let _e2523 = select(_e2521, 0i, (_e2521 < 0i));
 if (_e2523 >= _e2423) {
-phi_5022_ = (_e2423 - 1i);
+phi_5023_ = (_e2423 - 1i);
 } else {
-phi_5022_ = _e2523;
+phi_5023_ = _e2523;
 }
-let _e2527 = phi_5022_;
+let _e2527 = phi_5023_;
 let _e2529 = ((_e2527 - _e2491) * _e2418);
 let _e2530 = (_e2506 + 1i);
 let _e2532 = select(_e2530, 0i, (_e2530 < 0i));
 if (_e2532 >= _e2428) {
-phi_5036_ = (_e2428 - 1i);
+phi_5037_ = (_e2428 - 1i);
 } else {
-phi_5036_ = _e2532;
+phi_5037_ = _e2532;
 }
-let _e2536 = phi_5036_;
+let _e2536 = phi_5037_;
 let _e2543 = global_5.member.member_13.member_10;
 let _e2544 = bitcast<i32>(_e2543);
 let _e2549 = ((_e2544 + (((_e2506 * _e2423) + _e2491) * _e2418)) + _e2476);
@@ -1624,29 +1636,29 @@ local_8 = (_e2666 - f32(_e2697));
 let _e2734 = (_e2697 + 1i);
 let _e2736 = select(_e2734, 0i, (_e2734 < 0i));
 if (_e2736 >= _e2418) {
-phi_5358_ = (_e2418 - 1i);
+phi_5359_ = (_e2418 - 1i);
 } else {
-phi_5358_ = _e2736;
+phi_5359_ = _e2736;
 }
-let _e2740 = phi_5358_;
+let _e2740 = phi_5359_;
 local_9 = (_e2740 - _e2697);
 let _e2742 = (_e2712 + 1i);
 let _e2744 = select(_e2742, 0i, (_e2742 < 0i));
 if (_e2744 >= _e2423) {
-phi_5371_ = (_e2423 - 1i);
+phi_5372_ = (_e2423 - 1i);
 } else {
-phi_5371_ = _e2744;
+phi_5372_ = _e2744;
 }
-let _e2748 = phi_5371_;
+let _e2748 = phi_5372_;
 let _e2750 = ((_e2748 - _e2712) * _e2418);
 let _e2751 = (_e2727 + 1i);
 let _e2753 = select(_e2751, 0i, (_e2751 < 0i));
 if (_e2753 >= _e2428) {
-phi_5385_ = (_e2428 - 1i);
+phi_5386_ = (_e2428 - 1i);
 } else {
-phi_5385_ = _e2753;
+phi_5386_ = _e2753;
 }
-let _e2757 = phi_5385_;
+let _e2757 = phi_5386_;
 let _e2765 = ((_e2544 + (((_e2727 * _e2423) + _e2712) * _e2418)) + _e2697);
 let _e2767 = select(_e2002, _e2765, (_e2765 < _e2002));
 let _e2772 = global_3.member[bitcast<u32>(select(0i, _e2767, (_e2767 > 0i)))];
@@ -1684,25 +1696,25 @@ let _e2851 = (_e2839 + _e2850);
 let _e2853 = select(_e2002, _e2851, (_e2851 < _e2002));
 let _e2858 = global_3.member[bitcast<u32>(select(0i, _e2853, (_e2853 > 0i)))];
 let _e2859 = local_8;
-phi_4866_ = (_e2393 + 1u);
-phi_4869_ = (_e2395 + ((0.5f * (((((((_e2556 * (1f - _e2557)) + (_e2568 * _e2569)) * _e2572) + (((_e2581 * (1f - _e2582)) + (_e2593 * _e2594)) * _e2510)) * (1f - _e2512)) + (((((_e2606 * (1f - _e2607)) + (_e2618 * _e2619)) * _e2572) + (((_e2630 * (1f - _e2631)) + (_e2642 * _e2643)) * _e2510)) * _e2512)) + ((((((_e2772 * (1f - _e2773)) + (_e2784 * _e2785)) * _e2788) + (((_e2797 * (1f - _e2798)) + (_e2809 * _e2810)) * _e2731)) * (1f - _e2733)) + (((((_e2822 * (1f - _e2823)) + (_e2834 * _e2835)) * _e2788) + (((_e2846 * (1f - _e2847)) + (_e2858 * _e2859)) * _e2731)) * _e2733)))) * _e2405));
+phi_4867_ = (_e2393 + 1u);
+phi_4870_ = (_e2395 + ((0.5f * (((((((_e2556 * (1f - _e2557)) + (_e2568 * _e2569)) * _e2572) + (((_e2581 * (1f - _e2582)) + (_e2593 * _e2594)) * _e2510)) * (1f - _e2512)) + (((((_e2606 * (1f - _e2607)) + (_e2618 * _e2619)) * _e2572) + (((_e2630 * (1f - _e2631)) + (_e2642 * _e2643)) * _e2510)) * _e2512)) + ((((((_e2772 * (1f - _e2773)) + (_e2784 * _e2785)) * _e2788) + (((_e2797 * (1f - _e2798)) + (_e2809 * _e2810)) * _e2731)) * (1f - _e2733)) + (((((_e2822 * (1f - _e2823)) + (_e2834 * _e2835)) * _e2788) + (((_e2846 * (1f - _e2847)) + (_e2858 * _e2859)) * _e2731)) * _e2733)))) * _e2405));
 } else {
-phi_4866_ = u32();
-phi_4869_ = f32();
+phi_4867_ = u32();
+phi_4870_ = f32();
 }
-let _e2874 = phi_4866_;
-let _e2876 = phi_4869_;
+let _e2874 = phi_4867_;
+let _e2876 = phi_4870_;
 continue;
 continuing {
-phi_4865_ = _e2874;
-phi_4868_ = _e2876;
+phi_4866_ = _e2874;
+phi_4869_ = _e2876;
 break if !(_e2398);
 }
 }
 let _e10418 = local_69;
-phi_5590_ = _e10418;
+phi_5591_ = _e10418;
 }
-let _e2879 = phi_5590_;
+let _e2879 = phi_5591_;
 let _e2883 = global_5.member.member_13.member;
 let _e2888 = -((_e2883.member * _e2879));
 let _e2890 = select(-87f, _e2888, (_e2888 > -87f));
@@ -1738,14 +1750,14 @@ let _e3037 = (1f / 3f);
 let _e3041 = (_e1925.member_6.x * ((1f + (_e2914 * (1f + (_e2914 * (0.5f + (_e2914 * (0.16666667f + (_e2914 * (0.041666668f + (_e2914 * (0.008333334f + (_e2914 * (0.001388889f + (_e2914 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2909 + 127i)) << bitcast<u32>(23i)))));
 let _e3044 = (_e1925.member_6.y * ((1f + (_e2962 * (1f + (_e2962 * (0.5f + (_e2962 * (0.16666667f + (_e2962 * (0.041666668f + (_e2962 * (0.008333334f + (_e2962 * (0.001388889f + (_e2962 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2957 + 127i)) << bitcast<u32>(23i)))));
 let _e3047 = (_e1925.member_6.z * ((1f + (_e3010 * (1f + (_e3010 * (0.5f + (_e3010 * (0.16666667f + (_e3010 * (0.041666668f + (_e3010 * (0.008333334f + (_e3010 * (0.001388889f + (_e3010 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3005 + 127i)) << bitcast<u32>(23i)))));
-let _e3076 = type_26(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, vec3<f32>(_e3041, _e3044, _e3047), _e1925.member_7, _e1925.member_8, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, _e1925.member_15, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
+let _e3076 = type_27(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, vec3<f32>(_e3041, _e3044, _e3047), _e1925.member_7, _e1925.member_8, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, _e1925.member_15, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
 if _e1969 {
-phi_5823_ = ((((_e1925.member_6.x + _e1925.member_6.y) + _e1925.member_6.z) * _e3037) - (((_e3041 + _e3044) + _e3047) * _e3037));
+phi_5824_ = ((((_e1925.member_6.x + _e1925.member_6.y) + _e1925.member_6.z) * _e3037) - (((_e3041 + _e3044) + _e3047) * _e3037));
 } else {
-phi_5823_ = 0f;
+phi_5824_ = 0f;
 }
-let _e3082 = phi_5823_;
-phi_6113_ = type_26(_e3076.member, _e3076.member_1, _e3076.member_2, _e3076.member_3, _e3076.member_4, _e3076.member_5, _e3076.member_6, _e3076.member_7, _e3076.member_8, _e3076.member_9, _e3076.member_10, _e3076.member_11, _e3076.member_12, _e3076.member_13, _e3076.member_14, _e3076.member_15, _e3076.member_16, _e3076.member_17, _e3076.member_18, _e3076.member_19, _e3076.member_20, _e3076.member_21, _e3076.member_22, _e3076.member_23, _e3076.member_24, _e3076.member_25, (_e1925.member_26 + _e3082), _e3076.member_27);
+let _e3082 = phi_5824_;
+phi_6114_ = type_27(_e3076.member, _e3076.member_1, _e3076.member_2, _e3076.member_3, _e3076.member_4, _e3076.member_5, _e3076.member_6, _e3076.member_7, _e3076.member_8, _e3076.member_9, _e3076.member_10, _e3076.member_11, _e3076.member_12, _e3076.member_13, _e3076.member_14, _e3076.member_15, _e3076.member_16, _e3076.member_17, _e3076.member_18, _e3076.member_19, _e3076.member_20, _e3076.member_21, _e3076.member_22, _e3076.member_23, _e3076.member_24, _e3076.member_25, (_e1925.member_26 + _e3082), _e3076.member_27);
 } else {
 let _e2042 = select(1e6f, _e1979, (_e1979 < 1e6f));
 let _e2044 = local_17;
@@ -1793,47 +1805,47 @@ let _e2223 = (1f / 3f);
 let _e2227 = (_e1925.member_6.x * ((1f + (_e2082 * (1f + (_e2082 * (0.5f + (_e2082 * (0.16666667f + (_e2082 * (0.041666668f + (_e2082 * (0.008333334f + (_e2082 * (0.001388889f + (_e2082 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2077 + 127i)) << bitcast<u32>(23i)))));
 let _e2230 = (_e1925.member_6.y * ((1f + (_e2139 * (1f + (_e2139 * (0.5f + (_e2139 * (0.16666667f + (_e2139 * (0.041666668f + (_e2139 * (0.008333334f + (_e2139 * (0.001388889f + (_e2139 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2134 + 127i)) << bitcast<u32>(23i)))));
 let _e2233 = (_e1925.member_6.z * ((1f + (_e2196 * (1f + (_e2196 * (0.5f + (_e2196 * (0.16666667f + (_e2196 * (0.041666668f + (_e2196 * (0.008333334f + (_e2196 * (0.001388889f + (_e2196 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2191 + 127i)) << bitcast<u32>(23i)))));
-let _e2262 = type_26(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, vec3<f32>(_e2227, _e2230, _e2233), _e1925.member_7, _e1925.member_8, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, _e1925.member_15, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
+let _e2262 = type_27(_e1925.member, _e1925.member_1, _e1925.member_2, _e1925.member_3, _e1925.member_4, _e1925.member_5, vec3<f32>(_e2227, _e2230, _e2233), _e1925.member_7, _e1925.member_8, _e1925.member_9, _e1925.member_10, _e1925.member_11, _e1925.member_12, _e1925.member_13, _e1925.member_14, _e1925.member_15, _e1925.member_16, _e1925.member_17, _e1925.member_18, _e1925.member_19, _e1925.member_20, _e1925.member_21, _e1925.member_22, _e1925.member_23, _e1925.member_24, _e1925.member_25, _e1925.member_26, _e1925.member_27);
 if _e1969 {
-phi_6109_ = ((((_e1925.member_6.x + _e1925.member_6.y) + _e1925.member_6.z) * _e2223) - (((_e2227 + _e2230) + _e2233) * _e2223));
+phi_6110_ = ((((_e1925.member_6.x + _e1925.member_6.y) + _e1925.member_6.z) * _e2223) - (((_e2227 + _e2230) + _e2233) * _e2223));
 } else {
-phi_6109_ = 0f;
+phi_6110_ = 0f;
 }
-let _e2268 = phi_6109_;
-phi_6113_ = type_26(_e2262.member, _e2262.member_1, _e2262.member_2, _e2262.member_3, _e2262.member_4, _e2262.member_5, _e2262.member_6, _e2262.member_7, _e2262.member_8, _e2262.member_9, _e2262.member_10, _e2262.member_11, _e2262.member_12, _e2262.member_13, _e2262.member_14, _e2262.member_15, _e2262.member_16, _e2262.member_17, _e2262.member_18, _e2262.member_19, _e2262.member_20, _e2262.member_21, _e2262.member_22, _e2262.member_23, _e2262.member_24, (_e1925.member_25 + _e2268), _e2262.member_26, _e2262.member_27);
+let _e2268 = phi_6110_;
+phi_6114_ = type_27(_e2262.member, _e2262.member_1, _e2262.member_2, _e2262.member_3, _e2262.member_4, _e2262.member_5, _e2262.member_6, _e2262.member_7, _e2262.member_8, _e2262.member_9, _e2262.member_10, _e2262.member_11, _e2262.member_12, _e2262.member_13, _e2262.member_14, _e2262.member_15, _e2262.member_16, _e2262.member_17, _e2262.member_18, _e2262.member_19, _e2262.member_20, _e2262.member_21, _e2262.member_22, _e2262.member_23, _e2262.member_24, (_e1925.member_25 + _e2268), _e2262.member_26, _e2262.member_27);
 }
-let _e3114 = phi_6113_;
+let _e3114 = phi_6114_;
 if (!(_e1974) || (_e2014 && (_e2012 == 0f))) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3114.member_17 & ((1i << bitcast<u32>((_e3114.member_16 & 31i))) - 1i))))) == _e3114.member_20) {
-phi_6167_ = (((_e3114.member_6.x + _e3114.member_6.y) + _e3114.member_6.z) * (1f / 3f));
+phi_6168_ = (((_e3114.member_6.x + _e3114.member_6.y) + _e3114.member_6.z) * (1f / 3f));
 } else {
-phi_6167_ = 0f;
+phi_6168_ = 0f;
 }
-let _e7322 = phi_6167_;
+let _e7322 = phi_6168_;
 if (_e3114.member_9 == -1i) {
-phi_6179_ = type_26(_e3114.member, _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e3114.member_7, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, (_e3114.member_23 + _e7322), _e3114.member_24, _e3114.member_25, _e3114.member_26, _e3114.member_27);
+phi_6180_ = type_27(_e3114.member, _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e3114.member_7, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, (_e3114.member_23 + _e7322), _e3114.member_24, _e3114.member_25, _e3114.member_26, _e3114.member_27);
 } else {
-phi_6179_ = type_26(_e3114.member, _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e3114.member_7, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, _e3114.member_23, (_e3114.member_24 + _e7322), _e3114.member_25, _e3114.member_26, _e3114.member_27);
+phi_6180_ = type_27(_e3114.member, _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e3114.member_7, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, _e3114.member_23, (_e3114.member_24 + _e7322), _e3114.member_25, _e3114.member_26, _e3114.member_27);
 }
-let _e7386 = phi_6179_;
+let _e7386 = phi_6180_;
 let _e7388 = (_e7386.member_18 == 0i);
 if (_e7388 && (_e7386.member_21 == 0i)) {
-phi_8220_ = type_26(_e7386.member, _e7386.member_1, _e7386.member_2, _e7386.member_3, _e7386.member_4, _e7386.member_5, _e7386.member_6, _e7386.member_7, _e7386.member_8, _e7386.member_9, _e7386.member_10, _e7386.member_11, _e7386.member_12, _e7386.member_13, _e7386.member_14, 3f, _e7386.member_16, _e7386.member_17, _e7386.member_18, _e7386.member_19, _e7386.member_20, _e7386.member_21, _e7386.member_22, _e7386.member_23, _e7386.member_24, _e7386.member_25, _e7386.member_26, _e7386.member_27);
+phi_8221_ = type_27(_e7386.member, _e7386.member_1, _e7386.member_2, _e7386.member_3, _e7386.member_4, _e7386.member_5, _e7386.member_6, _e7386.member_7, _e7386.member_8, _e7386.member_9, _e7386.member_10, _e7386.member_11, _e7386.member_12, _e7386.member_13, _e7386.member_14, 3f, _e7386.member_16, _e7386.member_17, _e7386.member_18, _e7386.member_19, _e7386.member_20, _e7386.member_21, _e7386.member_22, _e7386.member_23, _e7386.member_24, _e7386.member_25, _e7386.member_26, _e7386.member_27);
 } else {
 if _e7388 {
-let _e7520 = type_26(_e7386.member, _e7386.member_1, _e7386.member_2, _e7386.member_3, _e7386.member_4, _e7386.member_5, _e7386.member_6, _e7386.member_7, _e7386.member_8, _e7386.member_9, _e7386.member_10, _e7386.member_11, _e7386.member_12, _e7386.member_13, _e7386.member_14, _e7386.member_15, _e7386.member_16, _e7386.member_17, _e7386.member_18, _e7386.member_19, (_e7386.member_20 + 1i), _e7386.member_21, _e7386.member_22, _e7386.member_23, _e7386.member_24, _e7386.member_25, _e7386.member_26, _e7386.member_27);
-let _e7548 = type_26(_e7520.member, _e7520.member_1, _e7520.member_2, _e7520.member_3, _e7520.member_4, _e7520.member_5, _e7520.member_6, _e7520.member_7, _e7520.member_8, _e7520.member_9, _e7520.member_10, _e7520.member_11, _e7520.member_12, _e7520.member_13, _e7520.member_14, _e7520.member_15, _e7520.member_16, _e7520.member_17, _e7520.member_18, _e7520.member_19, _e7520.member_20, 0i, _e7520.member_22, _e7520.member_23, _e7520.member_24, _e7520.member_25, _e7520.member_26, _e7520.member_27);
-let _e7576 = type_26(_e7548.member, _e7548.member_1, _e7548.member_2, _e7548.member_3, _e7548.member_4, _e7548.member_5, _e7548.member_6, _e7548.member_7, _e7548.member_8, _e7548.member_9, _e7548.member_10, _e7548.member_11, _e7548.member_12, _e7548.member_13, _e7548.member_14, _e7548.member_15, _e7548.member_16, 0i, _e7548.member_18, _e7548.member_19, _e7548.member_20, _e7548.member_21, _e7548.member_22, _e7548.member_23, _e7548.member_24, _e7548.member_25, _e7548.member_26, _e7548.member_27);
-phi_6220_ = type_26(_e7576.member, _e7576.member_1, _e7576.member_2, _e7576.member_3, _e7576.member_4, _e7576.member_5, _e7576.member_6, _e7576.member_7, _e7576.member_8, _e7576.member_9, _e7576.member_10, _e7576.member_11, _e7576.member_12, _e7576.member_13, _e7576.member_14, _e7576.member_15, _e7576.member_16, _e7576.member_17, _e7576.member_18, 0i, _e7576.member_20, _e7576.member_21, _e7576.member_22, _e7576.member_23, _e7576.member_24, _e7576.member_25, _e7576.member_26, _e7576.member_27);
+let _e7520 = type_27(_e7386.member, _e7386.member_1, _e7386.member_2, _e7386.member_3, _e7386.member_4, _e7386.member_5, _e7386.member_6, _e7386.member_7, _e7386.member_8, _e7386.member_9, _e7386.member_10, _e7386.member_11, _e7386.member_12, _e7386.member_13, _e7386.member_14, _e7386.member_15, _e7386.member_16, _e7386.member_17, _e7386.member_18, _e7386.member_19, (_e7386.member_20 + 1i), _e7386.member_21, _e7386.member_22, _e7386.member_23, _e7386.member_24, _e7386.member_25, _e7386.member_26, _e7386.member_27);
+let _e7548 = type_27(_e7520.member, _e7520.member_1, _e7520.member_2, _e7520.member_3, _e7520.member_4, _e7520.member_5, _e7520.member_6, _e7520.member_7, _e7520.member_8, _e7520.member_9, _e7520.member_10, _e7520.member_11, _e7520.member_12, _e7520.member_13, _e7520.member_14, _e7520.member_15, _e7520.member_16, _e7520.member_17, _e7520.member_18, _e7520.member_19, _e7520.member_20, 0i, _e7520.member_22, _e7520.member_23, _e7520.member_24, _e7520.member_25, _e7520.member_26, _e7520.member_27);
+let _e7576 = type_27(_e7548.member, _e7548.member_1, _e7548.member_2, _e7548.member_3, _e7548.member_4, _e7548.member_5, _e7548.member_6, _e7548.member_7, _e7548.member_8, _e7548.member_9, _e7548.member_10, _e7548.member_11, _e7548.member_12, _e7548.member_13, _e7548.member_14, _e7548.member_15, _e7548.member_16, 0i, _e7548.member_18, _e7548.member_19, _e7548.member_20, _e7548.member_21, _e7548.member_22, _e7548.member_23, _e7548.member_24, _e7548.member_25, _e7548.member_26, _e7548.member_27);
+phi_6221_ = type_27(_e7576.member, _e7576.member_1, _e7576.member_2, _e7576.member_3, _e7576.member_4, _e7576.member_5, _e7576.member_6, _e7576.member_7, _e7576.member_8, _e7576.member_9, _e7576.member_10, _e7576.member_11, _e7576.member_12, _e7576.member_13, _e7576.member_14, _e7576.member_15, _e7576.member_16, _e7576.member_17, _e7576.member_18, 0i, _e7576.member_20, _e7576.member_21, _e7576.member_22, _e7576.member_23, _e7576.member_24, _e7576.member_25, _e7576.member_26, _e7576.member_27);
 } else {
 let _e7396 = bitcast<i32>((bitcast<u32>(f32(_e7386.member_18)) >> bitcast<u32>(23i)));
 let _e7400 = (1i << bitcast<u32>(((_e7396 - 127i) & 31i)));
 let _e7401 = (_e7400 - 1i);
-let _e7432 = type_26(_e7386.member, _e7386.member_1, _e7386.member_2, _e7386.member_3, _e7386.member_4, _e7386.member_5, _e7386.member_6, _e7386.member_7, _e7386.member_8, _e7386.member_9, _e7386.member_10, _e7386.member_11, _e7386.member_12, _e7386.member_13, _e7386.member_14, _e7386.member_15, _e7386.member_16, ((_e7386.member_17 & _e7401) | _e7400), _e7386.member_18, _e7386.member_19, _e7386.member_20, _e7386.member_21, _e7386.member_22, _e7386.member_23, _e7386.member_24, _e7386.member_25, _e7386.member_26, _e7386.member_27);
-let _e7461 = type_26(_e7432.member, _e7432.member_1, _e7432.member_2, _e7432.member_3, _e7432.member_4, _e7432.member_5, _e7432.member_6, _e7432.member_7, _e7432.member_8, _e7432.member_9, _e7432.member_10, _e7432.member_11, _e7432.member_12, _e7432.member_13, _e7432.member_14, _e7432.member_15, _e7432.member_16, _e7432.member_17, (_e7386.member_18 & _e7401), _e7432.member_19, _e7432.member_20, _e7432.member_21, _e7432.member_22, _e7432.member_23, _e7432.member_24, _e7432.member_25, _e7432.member_26, _e7432.member_27);
-phi_6220_ = type_26(_e7461.member, _e7461.member_1, _e7461.member_2, _e7461.member_3, _e7461.member_4, _e7461.member_5, _e7461.member_6, _e7461.member_7, _e7461.member_8, _e7461.member_9, _e7461.member_10, _e7461.member_11, _e7461.member_12, _e7461.member_13, _e7461.member_14, _e7461.member_15, _e7461.member_16, _e7461.member_17, _e7461.member_18, (_e7396 + -126i), _e7461.member_20, _e7461.member_21, _e7461.member_22, _e7461.member_23, _e7461.member_24, _e7461.member_25, _e7461.member_26, _e7461.member_27);
+let _e7432 = type_27(_e7386.member, _e7386.member_1, _e7386.member_2, _e7386.member_3, _e7386.member_4, _e7386.member_5, _e7386.member_6, _e7386.member_7, _e7386.member_8, _e7386.member_9, _e7386.member_10, _e7386.member_11, _e7386.member_12, _e7386.member_13, _e7386.member_14, _e7386.member_15, _e7386.member_16, ((_e7386.member_17 & _e7401) | _e7400), _e7386.member_18, _e7386.member_19, _e7386.member_20, _e7386.member_21, _e7386.member_22, _e7386.member_23, _e7386.member_24, _e7386.member_25, _e7386.member_26, _e7386.member_27);
+let _e7461 = type_27(_e7432.member, _e7432.member_1, _e7432.member_2, _e7432.member_3, _e7432.member_4, _e7432.member_5, _e7432.member_6, _e7432.member_7, _e7432.member_8, _e7432.member_9, _e7432.member_10, _e7432.member_11, _e7432.member_12, _e7432.member_13, _e7432.member_14, _e7432.member_15, _e7432.member_16, _e7432.member_17, (_e7386.member_18 & _e7401), _e7432.member_19, _e7432.member_20, _e7432.member_21, _e7432.member_22, _e7432.member_23, _e7432.member_24, _e7432.member_25, _e7432.member_26, _e7432.member_27);
+phi_6221_ = type_27(_e7461.member, _e7461.member_1, _e7461.member_2, _e7461.member_3, _e7461.member_4, _e7461.member_5, _e7461.member_6, _e7461.member_7, _e7461.member_8, _e7461.member_9, _e7461.member_10, _e7461.member_11, _e7461.member_12, _e7461.member_13, _e7461.member_14, _e7461.member_15, _e7461.member_16, _e7461.member_17, _e7461.member_18, (_e7396 + -126i), _e7461.member_20, _e7461.member_21, _e7461.member_22, _e7461.member_23, _e7461.member_24, _e7461.member_25, _e7461.member_26, _e7461.member_27);
 }
-let _e7606 = phi_6220_;
+let _e7606 = phi_6221_;
 let _e7612 = global_5.member.member_11.member_2;
 let _e7619 = global_5.member.member_11.member_3;
 let _e7626 = global_5.member.member_11.member_5;
@@ -1895,11 +1907,11 @@ let _e7812 = select(_e7794, _e7792, (_e7792 > _e7794));
 let _e7814 = select(_e7812, _e7810, (_e7810 < _e7812));
 let _e7816 = select(_e7798, _e7796, (_e7796 > _e7798));
 if (true && _e7680) {
-phi_6804_ = -(1e30f);
+phi_6805_ = -(1e30f);
 } else {
-phi_6804_ = 0f;
+phi_6805_ = 0f;
 }
-let _e7822 = phi_6804_;
+let _e7822 = phi_6805_;
 let _e7824 = select(_e7822, _e7808, (_e7808 > _e7822));
 let _e7826 = ((select(_e7816, _e7814, (_e7814 < _e7816)) <= _e7824) || false);
 let _e7827 = select(_e7824, 0f, _e7826);
@@ -1909,18 +1921,18 @@ let _e7830 = (_e7698 * _e7827);
 let _e7831 = (_e7703 + _e7828);
 let _e7832 = (_e7704 + _e7829);
 let _e7833 = (_e7705 + _e7830);
-let _e7863 = type_26((vec3<f32>(_e7703, _e7704, _e7705) + vec3<f32>(_e7828, _e7829, _e7830)), _e7606.member_1, _e7606.member_2, _e7606.member_3, _e7606.member_4, _e7606.member_5, _e7606.member_6, _e7606.member_7, _e7606.member_8, _e7606.member_9, _e7606.member_10, _e7606.member_11, _e7606.member_12, _e7606.member_13, _e7606.member_14, _e7606.member_15, _e7606.member_16, _e7606.member_17, _e7606.member_18, _e7606.member_19, _e7606.member_20, _e7606.member_21, _e7606.member_22, _e7606.member_23, _e7606.member_24, _e7606.member_25, _e7606.member_26, _e7606.member_27);
-let _e7891 = type_26(_e7863.member, vec3<f32>(_e7696, _e7697, _e7698), _e7863.member_2, _e7863.member_3, _e7863.member_4, _e7863.member_5, _e7863.member_6, _e7863.member_7, _e7863.member_8, _e7863.member_9, _e7863.member_10, _e7863.member_11, _e7863.member_12, _e7863.member_13, _e7863.member_14, _e7863.member_15, _e7863.member_16, _e7863.member_17, _e7863.member_18, _e7863.member_19, _e7863.member_20, _e7863.member_21, _e7863.member_22, _e7863.member_23, _e7863.member_24, _e7863.member_25, _e7863.member_26, _e7863.member_27);
-let _e7929 = type_26(_e7891.member, _e7891.member_1, (vec3<f32>(select(0f, _e7647, _e7680), select(0f, _e7648, _e7680), select(0f, _e7649, _e7680)) + vec3<f32>((_e7729 * _e7827), (_e7730 * _e7827), (_e7731 * _e7827))), _e7891.member_3, _e7891.member_4, _e7891.member_5, _e7891.member_6, _e7891.member_7, _e7891.member_8, _e7891.member_9, _e7891.member_10, _e7891.member_11, _e7891.member_12, _e7891.member_13, _e7891.member_14, _e7891.member_15, _e7891.member_16, _e7891.member_17, _e7891.member_18, _e7891.member_19, _e7891.member_20, _e7891.member_21, _e7891.member_22, _e7891.member_23, _e7891.member_24, _e7891.member_25, _e7891.member_26, _e7891.member_27);
-let _e7957 = type_26(_e7929.member, _e7929.member_1, _e7929.member_2, (vec3<f32>(select(0f, _e7650, _e7680), select(0f, _e7651, _e7680), select(0f, _e7652, _e7680)) + vec3<f32>((_e7747 * _e7827), (_e7748 * _e7827), (_e7749 * _e7827))), _e7929.member_4, _e7929.member_5, _e7929.member_6, _e7929.member_7, _e7929.member_8, _e7929.member_9, _e7929.member_10, _e7929.member_11, _e7929.member_12, _e7929.member_13, _e7929.member_14, _e7929.member_15, _e7929.member_16, _e7929.member_17, _e7929.member_18, _e7929.member_19, _e7929.member_20, _e7929.member_21, _e7929.member_22, _e7929.member_23, _e7929.member_24, _e7929.member_25, _e7929.member_26, _e7929.member_27);
-let _e7985 = type_26(_e7957.member, _e7957.member_1, _e7957.member_2, _e7957.member_3, vec3<f32>(_e7729, _e7730, _e7731), _e7957.member_5, _e7957.member_6, _e7957.member_7, _e7957.member_8, _e7957.member_9, _e7957.member_10, _e7957.member_11, _e7957.member_12, _e7957.member_13, _e7957.member_14, _e7957.member_15, _e7957.member_16, _e7957.member_17, _e7957.member_18, _e7957.member_19, _e7957.member_20, _e7957.member_21, _e7957.member_22, _e7957.member_23, _e7957.member_24, _e7957.member_25, _e7957.member_26, _e7957.member_27);
-let _e8013 = type_26(_e7985.member, _e7985.member_1, _e7985.member_2, _e7985.member_3, _e7985.member_4, vec3<f32>(_e7747, _e7748, _e7749), _e7985.member_6, _e7985.member_7, _e7985.member_8, _e7985.member_9, _e7985.member_10, _e7985.member_11, _e7985.member_12, _e7985.member_13, _e7985.member_14, _e7985.member_15, _e7985.member_16, _e7985.member_17, _e7985.member_18, _e7985.member_19, _e7985.member_20, _e7985.member_21, _e7985.member_22, _e7985.member_23, _e7985.member_24, _e7985.member_25, _e7985.member_26, _e7985.member_27);
-let _e8041 = type_26(_e8013.member, _e8013.member_1, _e8013.member_2, _e8013.member_3, _e8013.member_4, _e8013.member_5, _e8013.member_6, 0i, _e8013.member_8, _e8013.member_9, _e8013.member_10, _e8013.member_11, _e8013.member_12, _e8013.member_13, _e8013.member_14, _e8013.member_15, _e8013.member_16, _e8013.member_17, _e8013.member_18, _e8013.member_19, _e8013.member_20, _e8013.member_21, _e8013.member_22, _e8013.member_23, _e8013.member_24, _e8013.member_25, _e8013.member_26, _e8013.member_27);
-let _e8069 = type_26(_e8041.member, _e8041.member_1, _e8041.member_2, _e8041.member_3, _e8041.member_4, _e8041.member_5, _e8041.member_6, _e8041.member_7, _e8041.member_8, _e8041.member_9, _e8041.member_10, _e8041.member_11, _e8041.member_12, _e8041.member_13, _e8041.member_14, _e8041.member_15, 0i, _e8041.member_17, _e8041.member_18, _e8041.member_19, _e8041.member_20, _e8041.member_21, _e8041.member_22, _e8041.member_23, _e8041.member_24, _e8041.member_25, _e8041.member_26, _e8041.member_27);
-let _e8097 = type_26(_e8069.member, _e8069.member_1, _e8069.member_2, _e8069.member_3, _e8069.member_4, _e8069.member_5, _e8069.member_6, _e8069.member_7, _e8069.member_8, _e8069.member_9, _e8069.member_10, _e8069.member_11, _e8069.member_12, _e8069.member_13, _e8069.member_14, 1f, _e8069.member_16, _e8069.member_17, _e8069.member_18, _e8069.member_19, _e8069.member_20, _e8069.member_21, _e8069.member_22, _e8069.member_23, _e8069.member_24, _e8069.member_25, _e8069.member_26, _e8069.member_27);
-let _e8125 = type_26(_e8097.member, _e8097.member_1, _e8097.member_2, _e8097.member_3, _e8097.member_4, _e8097.member_5, _e8097.member_6, _e8097.member_7, _e8097.member_8, _e8097.member_9, _e8097.member_10, _e8097.member_11, _e8097.member_12, 0f, _e8097.member_14, _e8097.member_15, _e8097.member_16, _e8097.member_17, _e8097.member_18, _e8097.member_19, _e8097.member_20, _e8097.member_21, _e8097.member_22, _e8097.member_23, _e8097.member_24, _e8097.member_25, _e8097.member_26, _e8097.member_27);
-let _e8153 = type_26(_e8125.member, _e8125.member_1, _e8125.member_2, _e8125.member_3, _e8125.member_4, _e8125.member_5, _e8125.member_6, _e8125.member_7, _e8125.member_8, _e8125.member_9, _e8125.member_10, 0i, _e8125.member_12, _e8125.member_13, _e8125.member_14, _e8125.member_15, _e8125.member_16, _e8125.member_17, _e8125.member_18, _e8125.member_19, _e8125.member_20, _e8125.member_21, _e8125.member_22, _e8125.member_23, _e8125.member_24, _e8125.member_25, _e8125.member_26, _e8125.member_27);
-let _e8181 = type_26(_e8153.member, _e8153.member_1, _e8153.member_2, _e8153.member_3, _e8153.member_4, _e8153.member_5, _e8153.member_6, _e8153.member_7, _e8153.member_8, _e8153.member_9, _e8153.member_10, _e8153.member_11, 0i, _e8153.member_13, _e8153.member_14, _e8153.member_15, _e8153.member_16, _e8153.member_17, _e8153.member_18, _e8153.member_19, _e8153.member_20, _e8153.member_21, _e8153.member_22, _e8153.member_23, _e8153.member_24, _e8153.member_25, _e8153.member_26, _e8153.member_27);
+let _e7863 = type_27((vec3<f32>(_e7703, _e7704, _e7705) + vec3<f32>(_e7828, _e7829, _e7830)), _e7606.member_1, _e7606.member_2, _e7606.member_3, _e7606.member_4, _e7606.member_5, _e7606.member_6, _e7606.member_7, _e7606.member_8, _e7606.member_9, _e7606.member_10, _e7606.member_11, _e7606.member_12, _e7606.member_13, _e7606.member_14, _e7606.member_15, _e7606.member_16, _e7606.member_17, _e7606.member_18, _e7606.member_19, _e7606.member_20, _e7606.member_21, _e7606.member_22, _e7606.member_23, _e7606.member_24, _e7606.member_25, _e7606.member_26, _e7606.member_27);
+let _e7891 = type_27(_e7863.member, vec3<f32>(_e7696, _e7697, _e7698), _e7863.member_2, _e7863.member_3, _e7863.member_4, _e7863.member_5, _e7863.member_6, _e7863.member_7, _e7863.member_8, _e7863.member_9, _e7863.member_10, _e7863.member_11, _e7863.member_12, _e7863.member_13, _e7863.member_14, _e7863.member_15, _e7863.member_16, _e7863.member_17, _e7863.member_18, _e7863.member_19, _e7863.member_20, _e7863.member_21, _e7863.member_22, _e7863.member_23, _e7863.member_24, _e7863.member_25, _e7863.member_26, _e7863.member_27);
+let _e7929 = type_27(_e7891.member, _e7891.member_1, (vec3<f32>(select(0f, _e7647, _e7680), select(0f, _e7648, _e7680), select(0f, _e7649, _e7680)) + vec3<f32>((_e7729 * _e7827), (_e7730 * _e7827), (_e7731 * _e7827))), _e7891.member_3, _e7891.member_4, _e7891.member_5, _e7891.member_6, _e7891.member_7, _e7891.member_8, _e7891.member_9, _e7891.member_10, _e7891.member_11, _e7891.member_12, _e7891.member_13, _e7891.member_14, _e7891.member_15, _e7891.member_16, _e7891.member_17, _e7891.member_18, _e7891.member_19, _e7891.member_20, _e7891.member_21, _e7891.member_22, _e7891.member_23, _e7891.member_24, _e7891.member_25, _e7891.member_26, _e7891.member_27);
+let _e7957 = type_27(_e7929.member, _e7929.member_1, _e7929.member_2, (vec3<f32>(select(0f, _e7650, _e7680), select(0f, _e7651, _e7680), select(0f, _e7652, _e7680)) + vec3<f32>((_e7747 * _e7827), (_e7748 * _e7827), (_e7749 * _e7827))), _e7929.member_4, _e7929.member_5, _e7929.member_6, _e7929.member_7, _e7929.member_8, _e7929.member_9, _e7929.member_10, _e7929.member_11, _e7929.member_12, _e7929.member_13, _e7929.member_14, _e7929.member_15, _e7929.member_16, _e7929.member_17, _e7929.member_18, _e7929.member_19, _e7929.member_20, _e7929.member_21, _e7929.member_22, _e7929.member_23, _e7929.member_24, _e7929.member_25, _e7929.member_26, _e7929.member_27);
+let _e7985 = type_27(_e7957.member, _e7957.member_1, _e7957.member_2, _e7957.member_3, vec3<f32>(_e7729, _e7730, _e7731), _e7957.member_5, _e7957.member_6, _e7957.member_7, _e7957.member_8, _e7957.member_9, _e7957.member_10, _e7957.member_11, _e7957.member_12, _e7957.member_13, _e7957.member_14, _e7957.member_15, _e7957.member_16, _e7957.member_17, _e7957.member_18, _e7957.member_19, _e7957.member_20, _e7957.member_21, _e7957.member_22, _e7957.member_23, _e7957.member_24, _e7957.member_25, _e7957.member_26, _e7957.member_27);
+let _e8013 = type_27(_e7985.member, _e7985.member_1, _e7985.member_2, _e7985.member_3, _e7985.member_4, vec3<f32>(_e7747, _e7748, _e7749), _e7985.member_6, _e7985.member_7, _e7985.member_8, _e7985.member_9, _e7985.member_10, _e7985.member_11, _e7985.member_12, _e7985.member_13, _e7985.member_14, _e7985.member_15, _e7985.member_16, _e7985.member_17, _e7985.member_18, _e7985.member_19, _e7985.member_20, _e7985.member_21, _e7985.member_22, _e7985.member_23, _e7985.member_24, _e7985.member_25, _e7985.member_26, _e7985.member_27);
+let _e8041 = type_27(_e8013.member, _e8013.member_1, _e8013.member_2, _e8013.member_3, _e8013.member_4, _e8013.member_5, _e8013.member_6, 0i, _e8013.member_8, _e8013.member_9, _e8013.member_10, _e8013.member_11, _e8013.member_12, _e8013.member_13, _e8013.member_14, _e8013.member_15, _e8013.member_16, _e8013.member_17, _e8013.member_18, _e8013.member_19, _e8013.member_20, _e8013.member_21, _e8013.member_22, _e8013.member_23, _e8013.member_24, _e8013.member_25, _e8013.member_26, _e8013.member_27);
+let _e8069 = type_27(_e8041.member, _e8041.member_1, _e8041.member_2, _e8041.member_3, _e8041.member_4, _e8041.member_5, _e8041.member_6, _e8041.member_7, _e8041.member_8, _e8041.member_9, _e8041.member_10, _e8041.member_11, _e8041.member_12, _e8041.member_13, _e8041.member_14, _e8041.member_15, 0i, _e8041.member_17, _e8041.member_18, _e8041.member_19, _e8041.member_20, _e8041.member_21, _e8041.member_22, _e8041.member_23, _e8041.member_24, _e8041.member_25, _e8041.member_26, _e8041.member_27);
+let _e8097 = type_27(_e8069.member, _e8069.member_1, _e8069.member_2, _e8069.member_3, _e8069.member_4, _e8069.member_5, _e8069.member_6, _e8069.member_7, _e8069.member_8, _e8069.member_9, _e8069.member_10, _e8069.member_11, _e8069.member_12, _e8069.member_13, _e8069.member_14, 1f, _e8069.member_16, _e8069.member_17, _e8069.member_18, _e8069.member_19, _e8069.member_20, _e8069.member_21, _e8069.member_22, _e8069.member_23, _e8069.member_24, _e8069.member_25, _e8069.member_26, _e8069.member_27);
+let _e8125 = type_27(_e8097.member, _e8097.member_1, _e8097.member_2, _e8097.member_3, _e8097.member_4, _e8097.member_5, _e8097.member_6, _e8097.member_7, _e8097.member_8, _e8097.member_9, _e8097.member_10, _e8097.member_11, _e8097.member_12, 0f, _e8097.member_14, _e8097.member_15, _e8097.member_16, _e8097.member_17, _e8097.member_18, _e8097.member_19, _e8097.member_20, _e8097.member_21, _e8097.member_22, _e8097.member_23, _e8097.member_24, _e8097.member_25, _e8097.member_26, _e8097.member_27);
+let _e8153 = type_27(_e8125.member, _e8125.member_1, _e8125.member_2, _e8125.member_3, _e8125.member_4, _e8125.member_5, _e8125.member_6, _e8125.member_7, _e8125.member_8, _e8125.member_9, _e8125.member_10, 0i, _e8125.member_12, _e8125.member_13, _e8125.member_14, _e8125.member_15, _e8125.member_16, _e8125.member_17, _e8125.member_18, _e8125.member_19, _e8125.member_20, _e8125.member_21, _e8125.member_22, _e8125.member_23, _e8125.member_24, _e8125.member_25, _e8125.member_26, _e8125.member_27);
+let _e8181 = type_27(_e8153.member, _e8153.member_1, _e8153.member_2, _e8153.member_3, _e8153.member_4, _e8153.member_5, _e8153.member_6, _e8153.member_7, _e8153.member_8, _e8153.member_9, _e8153.member_10, _e8153.member_11, 0i, _e8153.member_13, _e8153.member_14, _e8153.member_15, _e8153.member_16, _e8153.member_17, _e8153.member_18, _e8153.member_19, _e8153.member_20, _e8153.member_21, _e8153.member_22, _e8153.member_23, _e8153.member_24, _e8153.member_25, _e8153.member_26, _e8153.member_27);
 let _e8186 = global_5.member.member_14.member.member;
 let _e8197 = ((((_e8186.member.member * _e7831) + (_e8186.member.member_1 * _e7832)) + (_e8186.member.member_2 * _e7833)) + _e8186.member_1);
 let _e8203 = -((((_e8186.member.member * _e7696) + (_e8186.member.member_1 * _e7697)) + (_e8186.member.member_2 * _e7698)));
@@ -1934,9 +1946,9 @@ let _e8236 = (_e8234 > 1e-9f);
 let _e8240 = ((_e8228 / select(1e-9f, _e8234, _e8236)) - 0.015625f);
 let _e8243 = select(1e30f, select(0f, _e8240, (_e8240 > 0f)), ((_e8228 > 0f) && _e8236));
 let _e8247 = (_e8243 < _e8212);
-let _e8278 = type_26(_e8181.member, _e8181.member_1, _e8181.member_2, _e8181.member_3, _e8181.member_4, _e8181.member_5, _e8181.member_6, _e8181.member_7, 0i, _e8181.member_9, _e8181.member_10, _e8181.member_11, _e8181.member_12, _e8181.member_13, _e8181.member_14, _e8181.member_15, _e8181.member_16, _e8181.member_17, _e8181.member_18, _e8181.member_19, _e8181.member_20, _e8181.member_21, _e8181.member_22, _e8181.member_23, _e8181.member_24, _e8181.member_25, _e8181.member_26, _e8181.member_27);
-let _e8306 = type_26(_e8278.member, _e8278.member_1, _e8278.member_2, _e8278.member_3, _e8278.member_4, _e8278.member_5, _e8278.member_6, _e8278.member_7, _e8278.member_8, select(select(-2i, -3i, _e8247), -1i, ((_e8212 >= 1e30f) && (_e8243 >= 1e30f))), _e8278.member_10, _e8278.member_11, _e8278.member_12, _e8278.member_13, _e8278.member_14, _e8278.member_15, _e8278.member_16, _e8278.member_17, _e8278.member_18, _e8278.member_19, _e8278.member_20, _e8278.member_21, _e8278.member_22, _e8278.member_23, _e8278.member_24, _e8278.member_25, _e8278.member_26, _e8278.member_27);
-let _e8334 = type_26(_e8306.member, _e8306.member_1, _e8306.member_2, _e8306.member_3, _e8306.member_4, _e8306.member_5, _e8306.member_6, _e8306.member_7, _e8306.member_8, _e8306.member_9, select(_e8212, _e8243, _e8247), _e8306.member_11, _e8306.member_12, _e8306.member_13, _e8306.member_14, _e8306.member_15, _e8306.member_16, _e8306.member_17, _e8306.member_18, _e8306.member_19, _e8306.member_20, _e8306.member_21, _e8306.member_22, _e8306.member_23, _e8306.member_24, _e8306.member_25, _e8306.member_26, _e8306.member_27);
+let _e8278 = type_27(_e8181.member, _e8181.member_1, _e8181.member_2, _e8181.member_3, _e8181.member_4, _e8181.member_5, _e8181.member_6, _e8181.member_7, 0i, _e8181.member_9, _e8181.member_10, _e8181.member_11, _e8181.member_12, _e8181.member_13, _e8181.member_14, _e8181.member_15, _e8181.member_16, _e8181.member_17, _e8181.member_18, _e8181.member_19, _e8181.member_20, _e8181.member_21, _e8181.member_22, _e8181.member_23, _e8181.member_24, _e8181.member_25, _e8181.member_26, _e8181.member_27);
+let _e8306 = type_27(_e8278.member, _e8278.member_1, _e8278.member_2, _e8278.member_3, _e8278.member_4, _e8278.member_5, _e8278.member_6, _e8278.member_7, _e8278.member_8, select(select(-2i, -3i, _e8247), -1i, ((_e8212 >= 1e30f) && (_e8243 >= 1e30f))), _e8278.member_10, _e8278.member_11, _e8278.member_12, _e8278.member_13, _e8278.member_14, _e8278.member_15, _e8278.member_16, _e8278.member_17, _e8278.member_18, _e8278.member_19, _e8278.member_20, _e8278.member_21, _e8278.member_22, _e8278.member_23, _e8278.member_24, _e8278.member_25, _e8278.member_26, _e8278.member_27);
+let _e8334 = type_27(_e8306.member, _e8306.member_1, _e8306.member_2, _e8306.member_3, _e8306.member_4, _e8306.member_5, _e8306.member_6, _e8306.member_7, _e8306.member_8, _e8306.member_9, select(_e8212, _e8243, _e8247), _e8306.member_11, _e8306.member_12, _e8306.member_13, _e8306.member_14, _e8306.member_15, _e8306.member_16, _e8306.member_17, _e8306.member_18, _e8306.member_19, _e8306.member_20, _e8306.member_21, _e8306.member_22, _e8306.member_23, _e8306.member_24, _e8306.member_25, _e8306.member_26, _e8306.member_27);
 let _e8338 = global_5.member.member_13.member_4;
 let _e8345 = global_5.member.member_13.member_5;
 let _e8350 = ((_e8338.member - _e7703) * _e7758);
@@ -1962,14 +1974,14 @@ let _e8386 = select(_e7822, _e8382, _e8385);
 let _e8388 = (select(_e7822, _e8384, _e8385) - _e8386);
 let _e8392 = global_5.member.member_13.member_6;
 if (_e8392 == 0u) {
-phi_7964_ = _e8388;
+phi_7965_ = _e8388;
 } else {
 let _e8395 = (_e8388 / f32(_e8392));
-phi_7239_ = 0u;
-phi_7242_ = 0f;
+phi_7240_ = 0u;
+phi_7243_ = 0f;
 loop {
-let _e8397 = phi_7239_;
-let _e8399 = phi_7242_;
+let _e8397 = phi_7240_;
+let _e8399 = phi_7243_;
 local_71 = _e8399;
 let _e8402 = ((_e8397 < _e8392) && (_e8388 > 0f));
 if _e8402 {
@@ -2021,29 +2033,29 @@ local_6 = (_e8443 - f32(_e8480));
 let _e8517 = (_e8480 + 1i);
 let _e8519 = select(_e8517, 0i, (_e8517 < 0i));
 if (_e8519 >= _e8422) {
-phi_7383_ = (_e8422 - 1i);
+phi_7384_ = (_e8422 - 1i);
 } else {
-phi_7383_ = _e8519;
+phi_7384_ = _e8519;
 }
-let _e8523 = phi_7383_;
+let _e8523 = phi_7384_;
 local_7 = (_e8523 - _e8480);
 let _e8525 = (_e8495 + 1i);
 let _e8527 = select(_e8525, 0i, (_e8525 < 0i));
 if (_e8527 >= _e8427) {
-phi_7396_ = (_e8427 - 1i);
+phi_7397_ = (_e8427 - 1i);
 } else {
-phi_7396_ = _e8527;
+phi_7397_ = _e8527;
 }
-let _e8531 = phi_7396_;
+let _e8531 = phi_7397_;
 let _e8533 = ((_e8531 - _e8495) * _e8422);
 let _e8534 = (_e8510 + 1i);
 let _e8536 = select(_e8534, 0i, (_e8534 < 0i));
 if (_e8536 >= _e8432) {
-phi_7410_ = (_e8432 - 1i);
+phi_7411_ = (_e8432 - 1i);
 } else {
-phi_7410_ = _e8536;
+phi_7411_ = _e8536;
 }
-let _e8540 = phi_7410_;
+let _e8540 = phi_7411_;
 let _e8547 = global_5.member.member_13.member_10;
 let _e8548 = bitcast<i32>(_e8547);
 let _e8553 = ((_e8548 + (((_e8510 * _e8427) + _e8495) * _e8422)) + _e8480);
@@ -2111,29 +2123,29 @@ local_4 = (_e8670 - f32(_e8701));
 let _e8738 = (_e8701 + 1i);
 let _e8740 = select(_e8738, 0i, (_e8738 < 0i));
 if (_e8740 >= _e8422) {
-phi_7732_ = (_e8422 - 1i);
+phi_7733_ = (_e8422 - 1i);
 } else {
-phi_7732_ = _e8740;
+phi_7733_ = _e8740;
 }
-let _e8744 = phi_7732_;
+let _e8744 = phi_7733_;
 local_5 = (_e8744 - _e8701);
 let _e8746 = (_e8716 + 1i);
 let _e8748 = select(_e8746, 0i, (_e8746 < 0i));
 if (_e8748 >= _e8427) {
-phi_7745_ = (_e8427 - 1i);
+phi_7746_ = (_e8427 - 1i);
 } else {
-phi_7745_ = _e8748;
+phi_7746_ = _e8748;
 }
-let _e8752 = phi_7745_;
+let _e8752 = phi_7746_;
 let _e8754 = ((_e8752 - _e8716) * _e8422);
 let _e8755 = (_e8731 + 1i);
 let _e8757 = select(_e8755, 0i, (_e8755 < 0i));
 if (_e8757 >= _e8432) {
-phi_7759_ = (_e8432 - 1i);
+phi_7760_ = (_e8432 - 1i);
 } else {
-phi_7759_ = _e8757;
+phi_7760_ = _e8757;
 }
-let _e8761 = phi_7759_;
+let _e8761 = phi_7760_;
 let _e8769 = ((_e8548 + (((_e8731 * _e8427) + _e8716) * _e8422)) + _e8701);
 let _e8771 = select(_e2002, _e8769, (_e8769 < _e2002));
 let _e8776 = global_3.member[bitcast<u32>(select(0i, _e8771, (_e8771 > 0i)))];
@@ -2171,25 +2183,25 @@ let _e8855 = (_e8843 + _e8854);
 let _e8857 = select(_e2002, _e8855, (_e8855 < _e2002));
 let _e8862 = global_3.member[bitcast<u32>(select(0i, _e8857, (_e8857 > 0i)))];
 let _e8863 = local_4;
-phi_7240_ = (_e8397 + 1u);
-phi_7243_ = (_e8399 + ((0.5f * (((((((_e8560 * (1f - _e8561)) + (_e8572 * _e8573)) * _e8576) + (((_e8585 * (1f - _e8586)) + (_e8597 * _e8598)) * _e8514)) * (1f - _e8516)) + (((((_e8610 * (1f - _e8611)) + (_e8622 * _e8623)) * _e8576) + (((_e8634 * (1f - _e8635)) + (_e8646 * _e8647)) * _e8514)) * _e8516)) + ((((((_e8776 * (1f - _e8777)) + (_e8788 * _e8789)) * _e8792) + (((_e8801 * (1f - _e8802)) + (_e8813 * _e8814)) * _e8735)) * (1f - _e8737)) + (((((_e8826 * (1f - _e8827)) + (_e8838 * _e8839)) * _e8792) + (((_e8850 * (1f - _e8851)) + (_e8862 * _e8863)) * _e8735)) * _e8737)))) * _e8409));
+phi_7241_ = (_e8397 + 1u);
+phi_7244_ = (_e8399 + ((0.5f * (((((((_e8560 * (1f - _e8561)) + (_e8572 * _e8573)) * _e8576) + (((_e8585 * (1f - _e8586)) + (_e8597 * _e8598)) * _e8514)) * (1f - _e8516)) + (((((_e8610 * (1f - _e8611)) + (_e8622 * _e8623)) * _e8576) + (((_e8634 * (1f - _e8635)) + (_e8646 * _e8647)) * _e8514)) * _e8516)) + ((((((_e8776 * (1f - _e8777)) + (_e8788 * _e8789)) * _e8792) + (((_e8801 * (1f - _e8802)) + (_e8813 * _e8814)) * _e8735)) * (1f - _e8737)) + (((((_e8826 * (1f - _e8827)) + (_e8838 * _e8839)) * _e8792) + (((_e8850 * (1f - _e8851)) + (_e8862 * _e8863)) * _e8735)) * _e8737)))) * _e8409));
 } else {
-phi_7240_ = u32();
-phi_7243_ = f32();
+phi_7241_ = u32();
+phi_7244_ = f32();
 }
-let _e8878 = phi_7240_;
-let _e8880 = phi_7243_;
+let _e8878 = phi_7241_;
+let _e8880 = phi_7244_;
 continue;
 continuing {
-phi_7239_ = _e8878;
-phi_7242_ = _e8880;
+phi_7240_ = _e8878;
+phi_7243_ = _e8880;
 break if !(_e8402);
 }
 }
 let _e10479 = local_71;
-phi_7964_ = _e10479;
+phi_7965_ = _e10479;
 }
-let _e8883 = phi_7964_;
+let _e8883 = phi_7965_;
 let _e8887 = global_5.member.member_13.member;
 let _e8892 = -((_e8887.member * _e8883));
 let _e8894 = select(-87f, _e8892, (_e8892 > -87f));
@@ -2225,36 +2237,36 @@ let _e9037 = (1f / 3f);
 let _e9039 = (1f * ((1f + (_e8918 * (1f + (_e8918 * (0.5f + (_e8918 * (0.16666667f + (_e8918 * (0.041666668f + (_e8918 * (0.008333334f + (_e8918 * (0.001388889f + (_e8918 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8913 + 127i)) << bitcast<u32>(23i)))));
 let _e9040 = (1f * ((1f + (_e8966 * (1f + (_e8966 * (0.5f + (_e8966 * (0.16666667f + (_e8966 * (0.041666668f + (_e8966 * (0.008333334f + (_e8966 * (0.001388889f + (_e8966 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8961 + 127i)) << bitcast<u32>(23i)))));
 let _e9041 = (1f * ((1f + (_e9014 * (1f + (_e9014 * (0.5f + (_e9014 * (0.16666667f + (_e9014 * (0.041666668f + (_e9014 * (0.008333334f + (_e9014 * (0.001388889f + (_e9014 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9009 + 127i)) << bitcast<u32>(23i)))));
-let _e9070 = type_26(_e8334.member, _e8334.member_1, _e8334.member_2, _e8334.member_3, _e8334.member_4, _e8334.member_5, vec3<f32>(_e9039, _e9040, _e9041), _e8334.member_7, _e8334.member_8, _e8334.member_9, _e8334.member_10, _e8334.member_11, _e8334.member_12, _e8334.member_13, _e8334.member_14, _e8334.member_15, _e8334.member_16, _e8334.member_17, _e8334.member_18, _e8334.member_19, _e8334.member_20, _e8334.member_21, _e8334.member_22, _e8334.member_23, _e8334.member_24, _e8334.member_25, _e8334.member_26, _e8334.member_27);
+let _e9070 = type_27(_e8334.member, _e8334.member_1, _e8334.member_2, _e8334.member_3, _e8334.member_4, _e8334.member_5, vec3<f32>(_e9039, _e9040, _e9041), _e8334.member_7, _e8334.member_8, _e8334.member_9, _e8334.member_10, _e8334.member_11, _e8334.member_12, _e8334.member_13, _e8334.member_14, _e8334.member_15, _e8334.member_16, _e8334.member_17, _e8334.member_18, _e8334.member_19, _e8334.member_20, _e8334.member_21, _e8334.member_22, _e8334.member_23, _e8334.member_24, _e8334.member_25, _e8334.member_26, _e8334.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e7606.member_20) {
-phi_8192_ = ((((1f + 1f) + 1f) * _e9037) - (((_e9039 + _e9040) + _e9041) * _e9037));
+phi_8193_ = ((((1f + 1f) + 1f) * _e9037) - (((_e9039 + _e9040) + _e9041) * _e9037));
 } else {
-phi_8192_ = 0f;
+phi_8193_ = 0f;
 }
-let _e9080 = phi_8192_;
-let _e9110 = type_26(_e9070.member, _e9070.member_1, _e9070.member_2, _e9070.member_3, _e9070.member_4, _e9070.member_5, _e9070.member_6, _e9070.member_7, _e9070.member_8, _e9070.member_9, _e9070.member_10, _e9070.member_11, _e9070.member_12, _e9070.member_13, _e9070.member_14, _e9070.member_15, _e9070.member_16, _e9070.member_17, _e9070.member_18, _e9070.member_19, _e9070.member_20, _e9070.member_21, _e9070.member_22, _e9070.member_23, _e9070.member_24, _e9070.member_25, (_e7606.member_26 + _e9080), _e9070.member_27);
+let _e9080 = phi_8193_;
+let _e9110 = type_27(_e9070.member, _e9070.member_1, _e9070.member_2, _e9070.member_3, _e9070.member_4, _e9070.member_5, _e9070.member_6, _e9070.member_7, _e9070.member_8, _e9070.member_9, _e9070.member_10, _e9070.member_11, _e9070.member_12, _e9070.member_13, _e9070.member_14, _e9070.member_15, _e9070.member_16, _e9070.member_17, _e9070.member_18, _e9070.member_19, _e9070.member_20, _e9070.member_21, _e9070.member_22, _e9070.member_23, _e9070.member_24, _e9070.member_25, (_e7606.member_26 + _e9080), _e9070.member_27);
 if _e7826 {
-let _e9138 = type_26(_e9110.member, _e9110.member_1, _e9110.member_2, _e9110.member_3, _e9110.member_4, _e9110.member_5, _e9110.member_6, _e9110.member_7, _e1891, _e9110.member_9, _e9110.member_10, _e9110.member_11, _e9110.member_12, _e9110.member_13, _e9110.member_14, _e9110.member_15, _e9110.member_16, _e9110.member_17, _e9110.member_18, _e9110.member_19, _e9110.member_20, _e9110.member_21, _e9110.member_22, _e9110.member_23, _e9110.member_24, _e9110.member_25, _e9110.member_26, _e9110.member_27);
-phi_8219_ = type_26(_e9138.member, _e9138.member_1, _e9138.member_2, _e9138.member_3, _e9138.member_4, _e9138.member_5, _e9138.member_6, _e9138.member_7, _e9138.member_8, _e9138.member_9, _e9138.member_10, _e9138.member_11, _e9138.member_12, _e9138.member_13, _e9138.member_14, 3f, _e9138.member_16, _e9138.member_17, _e9138.member_18, _e9138.member_19, _e9138.member_20, _e9138.member_21, _e9138.member_22, _e9138.member_23, _e9138.member_24, _e9138.member_25, _e9138.member_26, _e9138.member_27);
+let _e9138 = type_27(_e9110.member, _e9110.member_1, _e9110.member_2, _e9110.member_3, _e9110.member_4, _e9110.member_5, _e9110.member_6, _e9110.member_7, _e1891, _e9110.member_9, _e9110.member_10, _e9110.member_11, _e9110.member_12, _e9110.member_13, _e9110.member_14, _e9110.member_15, _e9110.member_16, _e9110.member_17, _e9110.member_18, _e9110.member_19, _e9110.member_20, _e9110.member_21, _e9110.member_22, _e9110.member_23, _e9110.member_24, _e9110.member_25, _e9110.member_26, _e9110.member_27);
+phi_8220_ = type_27(_e9138.member, _e9138.member_1, _e9138.member_2, _e9138.member_3, _e9138.member_4, _e9138.member_5, _e9138.member_6, _e9138.member_7, _e9138.member_8, _e9138.member_9, _e9138.member_10, _e9138.member_11, _e9138.member_12, _e9138.member_13, _e9138.member_14, 3f, _e9138.member_16, _e9138.member_17, _e9138.member_18, _e9138.member_19, _e9138.member_20, _e9138.member_21, _e9138.member_22, _e9138.member_23, _e9138.member_24, _e9138.member_25, _e9138.member_26, _e9138.member_27);
 } else {
-phi_8219_ = _e9110;
+phi_8220_ = _e9110;
 }
-let _e9168 = phi_8219_;
-phi_8220_ = _e9168;
+let _e9168 = phi_8220_;
+phi_8221_ = _e9168;
 }
-let _e9198 = phi_8220_;
-phi_12414_ = _e9198;
-phi_12415_ = type_26();
-phi_12416_ = true;
+let _e9198 = phi_8221_;
+phi_12415_ = _e9198;
+phi_12416_ = type_27();
+phi_12417_ = true;
 } else {
 let _e3121 = local_18;
 let _e3123 = local_19;
 let _e3125 = (!(_e2014) && (_e3121 == _e3123));
 if _e3125 {
-let _e7048 = type_26(_e3114.member, _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e2023, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, _e3114.member_23, _e3114.member_24, _e3114.member_25, _e3114.member_26, _e3114.member_27);
-let _e7079 = type_26(_e7048.member, _e7048.member_1, _e7048.member_2, _e7048.member_3, _e7048.member_4, _e7048.member_5, _e7048.member_6, _e7048.member_7, _e7048.member_8, _e7048.member_9, _e7048.member_10, _e7048.member_11, _e7048.member_12, select(1.1754944e-38f, _e3114.member_14, (_e3114.member_14 > 1.1754944e-38f)), _e7048.member_14, _e7048.member_15, _e7048.member_16, _e7048.member_17, _e7048.member_18, _e7048.member_19, _e7048.member_20, _e7048.member_21, _e7048.member_22, _e7048.member_23, _e7048.member_24, _e7048.member_25, _e7048.member_26, _e7048.member_27);
-let _e7107 = type_26(_e7079.member, _e7079.member_1, _e7079.member_2, _e7079.member_3, _e7079.member_4, _e7079.member_5, _e7079.member_6, _e7079.member_7, _e7079.member_8, _e7079.member_9, _e7079.member_10, 0i, _e7079.member_12, _e7079.member_13, _e7079.member_14, _e7079.member_15, _e7079.member_16, _e7079.member_17, _e7079.member_18, _e7079.member_19, _e7079.member_20, _e7079.member_21, _e7079.member_22, _e7079.member_23, _e7079.member_24, _e7079.member_25, _e7079.member_26, _e7079.member_27);
-let _e7135 = type_26(_e7107.member, _e7107.member_1, _e7107.member_2, _e7107.member_3, _e7107.member_4, _e7107.member_5, _e7107.member_6, _e7107.member_7, _e7107.member_8, _e7107.member_9, _e7107.member_10, _e7107.member_11, 0i, _e7107.member_13, _e7107.member_14, _e7107.member_15, _e7107.member_16, _e7107.member_17, _e7107.member_18, _e7107.member_19, _e7107.member_20, _e7107.member_21, _e7107.member_22, _e7107.member_23, _e7107.member_24, _e7107.member_25, _e7107.member_26, _e7107.member_27);
+let _e7048 = type_27(_e3114.member, _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e2023, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, _e3114.member_23, _e3114.member_24, _e3114.member_25, _e3114.member_26, _e3114.member_27);
+let _e7079 = type_27(_e7048.member, _e7048.member_1, _e7048.member_2, _e7048.member_3, _e7048.member_4, _e7048.member_5, _e7048.member_6, _e7048.member_7, _e7048.member_8, _e7048.member_9, _e7048.member_10, _e7048.member_11, _e7048.member_12, select(1.1754944e-38f, _e3114.member_14, (_e3114.member_14 > 1.1754944e-38f)), _e7048.member_14, _e7048.member_15, _e7048.member_16, _e7048.member_17, _e7048.member_18, _e7048.member_19, _e7048.member_20, _e7048.member_21, _e7048.member_22, _e7048.member_23, _e7048.member_24, _e7048.member_25, _e7048.member_26, _e7048.member_27);
+let _e7107 = type_27(_e7079.member, _e7079.member_1, _e7079.member_2, _e7079.member_3, _e7079.member_4, _e7079.member_5, _e7079.member_6, _e7079.member_7, _e7079.member_8, _e7079.member_9, _e7079.member_10, 0i, _e7079.member_12, _e7079.member_13, _e7079.member_14, _e7079.member_15, _e7079.member_16, _e7079.member_17, _e7079.member_18, _e7079.member_19, _e7079.member_20, _e7079.member_21, _e7079.member_22, _e7079.member_23, _e7079.member_24, _e7079.member_25, _e7079.member_26, _e7079.member_27);
+let _e7135 = type_27(_e7107.member, _e7107.member_1, _e7107.member_2, _e7107.member_3, _e7107.member_4, _e7107.member_5, _e7107.member_6, _e7107.member_7, _e7107.member_8, _e7107.member_9, _e7107.member_10, _e7107.member_11, 0i, _e7107.member_13, _e7107.member_14, _e7107.member_15, _e7107.member_16, _e7107.member_17, _e7107.member_18, _e7107.member_19, _e7107.member_20, _e7107.member_21, _e7107.member_22, _e7107.member_23, _e7107.member_24, _e7107.member_25, _e7107.member_26, _e7107.member_27);
 let _e7142 = global_5.member.member_14.member.member;
 let _e7156 = ((((_e7142.member.member * _e3114.member.x) + (_e7142.member.member_1 * _e3114.member.y)) + (_e7142.member.member_2 * _e3114.member.z)) + _e7142.member_1);
 let _e7165 = -((((_e7142.member.member * _e3114.member_1.x) + (_e7142.member.member_1 * _e3114.member_1.y)) + (_e7142.member.member_2 * _e3114.member_1.z)));
@@ -2268,15 +2280,15 @@ let _e7198 = (_e7196 > 1e-9f);
 let _e7202 = ((_e7190 / select(1e-9f, _e7196, _e7198)) - 0.015625f);
 let _e7205 = select(1e30f, select(0f, _e7202, (_e7202 > 0f)), ((_e7190 > 0f) && _e7198));
 let _e7209 = (_e7205 < _e7174);
-let _e7240 = type_26(_e7135.member, _e7135.member_1, _e7135.member_2, _e7135.member_3, _e7135.member_4, _e7135.member_5, _e7135.member_6, _e7135.member_7, 0i, _e7135.member_9, _e7135.member_10, _e7135.member_11, _e7135.member_12, _e7135.member_13, _e7135.member_14, _e7135.member_15, _e7135.member_16, _e7135.member_17, _e7135.member_18, _e7135.member_19, _e7135.member_20, _e7135.member_21, _e7135.member_22, _e7135.member_23, _e7135.member_24, _e7135.member_25, _e7135.member_26, _e7135.member_27);
-let _e7268 = type_26(_e7240.member, _e7240.member_1, _e7240.member_2, _e7240.member_3, _e7240.member_4, _e7240.member_5, _e7240.member_6, _e7240.member_7, _e7240.member_8, select(select(-2i, -3i, _e7209), -1i, ((_e7174 >= 1e30f) && (_e7205 >= 1e30f))), _e7240.member_10, _e7240.member_11, _e7240.member_12, _e7240.member_13, _e7240.member_14, _e7240.member_15, _e7240.member_16, _e7240.member_17, _e7240.member_18, _e7240.member_19, _e7240.member_20, _e7240.member_21, _e7240.member_22, _e7240.member_23, _e7240.member_24, _e7240.member_25, _e7240.member_26, _e7240.member_27);
-phi_12412_ = type_26(_e7268.member, _e7268.member_1, _e7268.member_2, _e7268.member_3, _e7268.member_4, _e7268.member_5, _e7268.member_6, _e7268.member_7, _e7268.member_8, _e7268.member_9, select(_e7174, _e7205, _e7209), _e7268.member_11, _e7268.member_12, _e7268.member_13, _e7268.member_14, _e7268.member_15, _e7268.member_16, _e7268.member_17, _e7268.member_18, _e7268.member_19, _e7268.member_20, _e7268.member_21, _e7268.member_22, _e7268.member_23, _e7268.member_24, _e7268.member_25, _e7268.member_26, _e7268.member_27);
-phi_12413_ = type_26();
+let _e7240 = type_27(_e7135.member, _e7135.member_1, _e7135.member_2, _e7135.member_3, _e7135.member_4, _e7135.member_5, _e7135.member_6, _e7135.member_7, 0i, _e7135.member_9, _e7135.member_10, _e7135.member_11, _e7135.member_12, _e7135.member_13, _e7135.member_14, _e7135.member_15, _e7135.member_16, _e7135.member_17, _e7135.member_18, _e7135.member_19, _e7135.member_20, _e7135.member_21, _e7135.member_22, _e7135.member_23, _e7135.member_24, _e7135.member_25, _e7135.member_26, _e7135.member_27);
+let _e7268 = type_27(_e7240.member, _e7240.member_1, _e7240.member_2, _e7240.member_3, _e7240.member_4, _e7240.member_5, _e7240.member_6, _e7240.member_7, _e7240.member_8, select(select(-2i, -3i, _e7209), -1i, ((_e7174 >= 1e30f) && (_e7205 >= 1e30f))), _e7240.member_10, _e7240.member_11, _e7240.member_12, _e7240.member_13, _e7240.member_14, _e7240.member_15, _e7240.member_16, _e7240.member_17, _e7240.member_18, _e7240.member_19, _e7240.member_20, _e7240.member_21, _e7240.member_22, _e7240.member_23, _e7240.member_24, _e7240.member_25, _e7240.member_26, _e7240.member_27);
+phi_12413_ = type_27(_e7268.member, _e7268.member_1, _e7268.member_2, _e7268.member_3, _e7268.member_4, _e7268.member_5, _e7268.member_6, _e7268.member_7, _e7268.member_8, _e7268.member_9, select(_e7174, _e7205, _e7209), _e7268.member_11, _e7268.member_12, _e7268.member_13, _e7268.member_14, _e7268.member_15, _e7268.member_16, _e7268.member_17, _e7268.member_18, _e7268.member_19, _e7268.member_20, _e7268.member_21, _e7268.member_22, _e7268.member_23, _e7268.member_24, _e7268.member_25, _e7268.member_26, _e7268.member_27);
+phi_12414_ = type_27();
 } else {
 let _e3136 = (_e3114.member.x + (_e3114.member_1.x * _e3114.member_10));
 let _e3139 = (_e3114.member.y + (_e3114.member_1.y * _e3114.member_10));
 let _e3142 = (_e3114.member.z + (_e3114.member_1.z * _e3114.member_10));
-let _e3171 = type_26(vec3<f32>(_e3136, _e3139, _e3142), _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e3114.member_7, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, _e3114.member_23, _e3114.member_24, _e3114.member_25, _e3114.member_26, _e3114.member_27);
+let _e3171 = type_27(vec3<f32>(_e3136, _e3139, _e3142), _e3114.member_1, _e3114.member_2, _e3114.member_3, _e3114.member_4, _e3114.member_5, _e3114.member_6, _e3114.member_7, _e3114.member_8, _e3114.member_9, _e3114.member_10, _e3114.member_11, _e3114.member_12, _e3114.member_13, _e3114.member_14, _e3114.member_15, _e3114.member_16, _e3114.member_17, _e3114.member_18, _e3114.member_19, _e3114.member_20, _e3114.member_21, _e3114.member_22, _e3114.member_23, _e3114.member_24, _e3114.member_25, _e3114.member_26, _e3114.member_27);
 let _e3173 = (_e3114.member_9 * 19i);
 let _e3175 = select(_e1984, _e3173, (_e3173 < _e1984));
 let _e3181 = global_2.member[bitcast<u32>(select(0i, _e3175, (_e3175 > 0i)))];
@@ -2374,8 +2386,8 @@ let _e3433 = (_e3410 * _e3423);
 let _e3434 = (_e3411 * _e3423);
 let _e3435 = (_e3412 * _e3423);
 if _e2014 {
-phi_8842_ = 1f;
 phi_8843_ = 1f;
+phi_8844_ = 1f;
 } else {
 let _e3437 = local_20;
 let _e3438 = (_e3437 * 4i);
@@ -2386,11 +2398,11 @@ let _e3450 = (_e3449 * 4i);
 let _e3452 = select(_e2002, _e3450, (_e3450 < _e2002));
 let _e3458 = global_3.member[bitcast<u32>(select(0i, _e3452, (_e3452 > 0i)))];
 let _e3460 = local_22;
-phi_8842_ = select(_e3458, 1f, (_e3460 == 16i));
-phi_8843_ = select(_e3446, 1f, _e1957);
+phi_8843_ = select(_e3458, 1f, (_e3460 == 16i));
+phi_8844_ = select(_e3446, 1f, _e1957);
 }
-let _e3464 = phi_8842_;
-let _e3466 = phi_8843_;
+let _e3464 = phi_8843_;
+let _e3466 = phi_8844_;
 let _e3473 = select(1f, -1f, ((((_e3114.member_1.x * _e3433) + (_e3114.member_1.y * _e3434)) + (_e3114.member_1.z * _e3435)) > 0f));
 let _e3474 = (_e3433 * _e3473);
 let _e3475 = (_e3434 * _e3473);
@@ -2429,11 +2441,11 @@ let _e3594 = (_e3114.member_3.x + (_e3114.member_5.x * _e3114.member_10));
 let _e3596 = (_e3114.member_3.y + (_e3114.member_5.y * _e3114.member_10));
 let _e3598 = (_e3114.member_3.z + (_e3114.member_5.z * _e3114.member_10));
 if ((_e3534 * _e3534) > 1e-12f) {
-phi_9076_ = (1f / _e3534);
+phi_9077_ = (1f / _e3534);
 } else {
-phi_9076_ = 0f;
+phi_9077_ = 0f;
 }
-let _e3603 = phi_9076_;
+let _e3603 = phi_9077_;
 let _e3609 = ((((_e3582 * _e3430) + (_e3584 * _e3431)) + (_e3586 * _e3432)) * _e3603);
 let _e3613 = (_e3582 - (_e3114.member_1.x * _e3609));
 let _e3614 = (_e3584 - (_e3114.member_1.y * _e3609));
@@ -2444,10 +2456,10 @@ let _e3626 = (_e3594 - (_e3114.member_1.x * _e3622));
 let _e3627 = (_e3596 - (_e3114.member_1.y * _e3622));
 let _e3628 = (_e3598 - (_e3114.member_1.z * _e3622));
 let _e3629 = vec3<f32>(_e3626, _e3627, _e3628);
-let _e3657 = type_26(_e3171.member, _e3171.member_1, _e3616, _e3171.member_3, _e3171.member_4, _e3171.member_5, _e3171.member_6, _e3171.member_7, _e3171.member_8, _e3171.member_9, _e3171.member_10, _e3171.member_11, _e3171.member_12, _e3171.member_13, _e3171.member_14, _e3171.member_15, _e3171.member_16, _e3171.member_17, _e3171.member_18, _e3171.member_19, _e3171.member_20, _e3171.member_21, _e3171.member_22, _e3171.member_23, _e3171.member_24, _e3171.member_25, _e3171.member_26, _e3171.member_27);
-let _e3685 = type_26(_e3657.member, _e3657.member_1, _e3657.member_2, _e3629, _e3657.member_4, _e3657.member_5, _e3657.member_6, _e3657.member_7, _e3657.member_8, _e3657.member_9, _e3657.member_10, _e3657.member_11, _e3657.member_12, _e3657.member_13, _e3657.member_14, _e3657.member_15, _e3657.member_16, _e3657.member_17, _e3657.member_18, _e3657.member_19, _e3657.member_20, _e3657.member_21, _e3657.member_22, _e3657.member_23, _e3657.member_24, _e3657.member_25, _e3657.member_26, _e3657.member_27);
-let _e3713 = type_26(_e3685.member, _e3685.member_1, _e3685.member_2, _e3685.member_3, _e3114.member_4, _e3685.member_5, _e3685.member_6, _e3685.member_7, _e3685.member_8, _e3685.member_9, _e3685.member_10, _e3685.member_11, _e3685.member_12, _e3685.member_13, _e3685.member_14, _e3685.member_15, _e3685.member_16, _e3685.member_17, _e3685.member_18, _e3685.member_19, _e3685.member_20, _e3685.member_21, _e3685.member_22, _e3685.member_23, _e3685.member_24, _e3685.member_25, _e3685.member_26, _e3685.member_27);
-let _e3741 = type_26(_e3713.member, _e3713.member_1, _e3713.member_2, _e3713.member_3, _e3713.member_4, _e3114.member_5, _e3713.member_6, _e3713.member_7, _e3713.member_8, _e3713.member_9, _e3713.member_10, _e3713.member_11, _e3713.member_12, _e3713.member_13, _e3713.member_14, _e3713.member_15, _e3713.member_16, _e3713.member_17, _e3713.member_18, _e3713.member_19, _e3713.member_20, _e3713.member_21, _e3713.member_22, _e3713.member_23, _e3713.member_24, _e3713.member_25, _e3713.member_26, _e3713.member_27);
+let _e3657 = type_27(_e3171.member, _e3171.member_1, _e3616, _e3171.member_3, _e3171.member_4, _e3171.member_5, _e3171.member_6, _e3171.member_7, _e3171.member_8, _e3171.member_9, _e3171.member_10, _e3171.member_11, _e3171.member_12, _e3171.member_13, _e3171.member_14, _e3171.member_15, _e3171.member_16, _e3171.member_17, _e3171.member_18, _e3171.member_19, _e3171.member_20, _e3171.member_21, _e3171.member_22, _e3171.member_23, _e3171.member_24, _e3171.member_25, _e3171.member_26, _e3171.member_27);
+let _e3685 = type_27(_e3657.member, _e3657.member_1, _e3657.member_2, _e3629, _e3657.member_4, _e3657.member_5, _e3657.member_6, _e3657.member_7, _e3657.member_8, _e3657.member_9, _e3657.member_10, _e3657.member_11, _e3657.member_12, _e3657.member_13, _e3657.member_14, _e3657.member_15, _e3657.member_16, _e3657.member_17, _e3657.member_18, _e3657.member_19, _e3657.member_20, _e3657.member_21, _e3657.member_22, _e3657.member_23, _e3657.member_24, _e3657.member_25, _e3657.member_26, _e3657.member_27);
+let _e3713 = type_27(_e3685.member, _e3685.member_1, _e3685.member_2, _e3685.member_3, _e3114.member_4, _e3685.member_5, _e3685.member_6, _e3685.member_7, _e3685.member_8, _e3685.member_9, _e3685.member_10, _e3685.member_11, _e3685.member_12, _e3685.member_13, _e3685.member_14, _e3685.member_15, _e3685.member_16, _e3685.member_17, _e3685.member_18, _e3685.member_19, _e3685.member_20, _e3685.member_21, _e3685.member_22, _e3685.member_23, _e3685.member_24, _e3685.member_25, _e3685.member_26, _e3685.member_27);
+let _e3741 = type_27(_e3713.member, _e3713.member_1, _e3713.member_2, _e3713.member_3, _e3713.member_4, _e3114.member_5, _e3713.member_6, _e3713.member_7, _e3713.member_8, _e3713.member_9, _e3713.member_10, _e3713.member_11, _e3713.member_12, _e3713.member_13, _e3713.member_14, _e3713.member_15, _e3713.member_16, _e3713.member_17, _e3713.member_18, _e3713.member_19, _e3713.member_20, _e3713.member_21, _e3713.member_22, _e3713.member_23, _e3713.member_24, _e3713.member_25, _e3713.member_26, _e3713.member_27);
 if _e2014 {
 let _e4475 = (_e2000 + 1i);
 let _e4477 = select(_e2002, _e4475, (_e4475 < _e2002));
@@ -2462,14 +2474,14 @@ let _e4508 = (1f / 3f);
 let _e4512 = (_e3114.member_6.x * _e4483);
 let _e4515 = (_e3114.member_6.y * _e4492);
 let _e4518 = (_e3114.member_6.z * _e4501);
-let _e4547 = type_26(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, vec3<f32>(_e4512, _e4515, _e4518), _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, _e3741.member_18, _e3741.member_19, _e3741.member_20, _e3741.member_21, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, _e3741.member_27);
+let _e4547 = type_27(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, vec3<f32>(_e4512, _e4515, _e4518), _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, _e3741.member_18, _e3741.member_19, _e3741.member_20, _e3741.member_21, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, _e3741.member_27);
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3114.member_17 & ((1i << bitcast<u32>((_e3114.member_16 & 31i))) - 1i))))) == _e3114.member_20) {
-phi_9207_ = ((((_e3114.member_6.x + _e3114.member_6.y) + _e3114.member_6.z) * _e4508) - (((_e4512 + _e4515) + _e4518) * _e4508));
+phi_9208_ = ((((_e3114.member_6.x + _e3114.member_6.y) + _e3114.member_6.z) * _e4508) - (((_e4512 + _e4515) + _e4518) * _e4508));
 } else {
-phi_9207_ = 0f;
+phi_9208_ = 0f;
 }
-let _e4565 = phi_9207_;
-let _e4595 = type_26(_e4547.member, _e4547.member_1, _e4547.member_2, _e4547.member_3, _e4547.member_4, _e4547.member_5, _e4547.member_6, _e4547.member_7, _e4547.member_8, _e4547.member_9, _e4547.member_10, _e4547.member_11, _e4547.member_12, _e4547.member_13, _e4547.member_14, _e4547.member_15, _e4547.member_16, _e4547.member_17, _e4547.member_18, _e4547.member_19, _e4547.member_20, _e4547.member_21, _e4547.member_22, _e4547.member_23, _e4547.member_24, (_e3114.member_25 + _e4565), _e4547.member_26, _e4547.member_27);
+let _e4565 = phi_9208_;
+let _e4595 = type_27(_e4547.member, _e4547.member_1, _e4547.member_2, _e4547.member_3, _e4547.member_4, _e4547.member_5, _e4547.member_6, _e4547.member_7, _e4547.member_8, _e4547.member_9, _e4547.member_10, _e4547.member_11, _e4547.member_12, _e4547.member_13, _e4547.member_14, _e4547.member_15, _e4547.member_16, _e4547.member_17, _e4547.member_18, _e4547.member_19, _e4547.member_20, _e4547.member_21, _e4547.member_22, _e4547.member_23, _e4547.member_24, (_e3114.member_25 + _e4565), _e4547.member_26, _e4547.member_27);
 let _e4602 = select(1f, -1f, ((((_e3562 * _e3114.member_1.x) + (_e3563 * _e3114.member_1.y)) + (_e3564 * _e3114.member_1.z)) > 0f));
 let _e4603 = (_e3562 * _e4602);
 let _e4604 = (_e3563 * _e4602);
@@ -2502,18 +2514,18 @@ let _e4707 = (_e4696 - (_e4603 * _e4703));
 let _e4708 = (_e4697 - (_e4604 * _e4703));
 let _e4709 = (_e4698 - (_e4605 * _e4703));
 let _e4721 = -(((((_e3114.member_5.x * _e4603) + (_e3114.member_5.y * _e4604)) + (_e3114.member_5.z * _e4605)) + (((_e3114.member_1.x * _e4707) + (_e3114.member_1.y * _e4708)) + (_e3114.member_1.z * _e4709))));
-let _e4763 = type_26(_e4595.member, _e4595.member_1, _e3616, _e4595.member_3, _e4595.member_4, _e4595.member_5, _e4595.member_6, _e4595.member_7, _e4595.member_8, _e4595.member_9, _e4595.member_10, _e4595.member_11, _e4595.member_12, _e4595.member_13, _e4595.member_14, _e4595.member_15, _e4595.member_16, _e4595.member_17, _e4595.member_18, _e4595.member_19, _e4595.member_20, _e4595.member_21, _e4595.member_22, _e4595.member_23, _e4595.member_24, _e4595.member_25, _e4595.member_26, _e4595.member_27);
-let _e4791 = type_26(_e4763.member, _e4763.member_1, _e4763.member_2, _e3629, _e4763.member_4, _e4763.member_5, _e4763.member_6, _e4763.member_7, _e4763.member_8, _e4763.member_9, _e4763.member_10, _e4763.member_11, _e4763.member_12, _e4763.member_13, _e4763.member_14, _e4763.member_15, _e4763.member_16, _e4763.member_17, _e4763.member_18, _e4763.member_19, _e4763.member_20, _e4763.member_21, _e4763.member_22, _e4763.member_23, _e4763.member_24, _e4763.member_25, _e4763.member_26, _e4763.member_27);
-let _e4819 = type_26(_e4791.member, _e4791.member_1, _e4791.member_2, _e4791.member_3, (_e3114.member_4 + vec3<f32>((((_e4642 * _e4650) + (_e4603 * _e4662)) * 2f), (((_e4643 * _e4650) + (_e4604 * _e4662)) * 2f), (((_e4644 * _e4650) + (_e4605 * _e4662)) * 2f))), _e4791.member_5, _e4791.member_6, _e4791.member_7, _e4791.member_8, _e4791.member_9, _e4791.member_10, _e4791.member_11, _e4791.member_12, _e4791.member_13, _e4791.member_14, _e4791.member_15, _e4791.member_16, _e4791.member_17, _e4791.member_18, _e4791.member_19, _e4791.member_20, _e4791.member_21, _e4791.member_22, _e4791.member_23, _e4791.member_24, _e4791.member_25, _e4791.member_26, _e4791.member_27);
-let _e4847 = type_26(_e4819.member, _e4819.member_1, _e4819.member_2, _e4819.member_3, _e4819.member_4, (_e3114.member_5 + vec3<f32>((((_e4707 * _e4650) + (_e4603 * _e4721)) * 2f), (((_e4708 * _e4650) + (_e4604 * _e4721)) * 2f), (((_e4709 * _e4650) + (_e4605 * _e4721)) * 2f))), _e4819.member_6, _e4819.member_7, _e4819.member_8, _e4819.member_9, _e4819.member_10, _e4819.member_11, _e4819.member_12, _e4819.member_13, _e4819.member_14, _e4819.member_15, _e4819.member_16, _e4819.member_17, _e4819.member_18, _e4819.member_19, _e4819.member_20, _e4819.member_21, _e4819.member_22, _e4819.member_23, _e4819.member_24, _e4819.member_25, _e4819.member_26, _e4819.member_27);
+let _e4763 = type_27(_e4595.member, _e4595.member_1, _e3616, _e4595.member_3, _e4595.member_4, _e4595.member_5, _e4595.member_6, _e4595.member_7, _e4595.member_8, _e4595.member_9, _e4595.member_10, _e4595.member_11, _e4595.member_12, _e4595.member_13, _e4595.member_14, _e4595.member_15, _e4595.member_16, _e4595.member_17, _e4595.member_18, _e4595.member_19, _e4595.member_20, _e4595.member_21, _e4595.member_22, _e4595.member_23, _e4595.member_24, _e4595.member_25, _e4595.member_26, _e4595.member_27);
+let _e4791 = type_27(_e4763.member, _e4763.member_1, _e4763.member_2, _e3629, _e4763.member_4, _e4763.member_5, _e4763.member_6, _e4763.member_7, _e4763.member_8, _e4763.member_9, _e4763.member_10, _e4763.member_11, _e4763.member_12, _e4763.member_13, _e4763.member_14, _e4763.member_15, _e4763.member_16, _e4763.member_17, _e4763.member_18, _e4763.member_19, _e4763.member_20, _e4763.member_21, _e4763.member_22, _e4763.member_23, _e4763.member_24, _e4763.member_25, _e4763.member_26, _e4763.member_27);
+let _e4819 = type_27(_e4791.member, _e4791.member_1, _e4791.member_2, _e4791.member_3, (_e3114.member_4 + vec3<f32>((((_e4642 * _e4650) + (_e4603 * _e4662)) * 2f), (((_e4643 * _e4650) + (_e4604 * _e4662)) * 2f), (((_e4644 * _e4650) + (_e4605 * _e4662)) * 2f))), _e4791.member_5, _e4791.member_6, _e4791.member_7, _e4791.member_8, _e4791.member_9, _e4791.member_10, _e4791.member_11, _e4791.member_12, _e4791.member_13, _e4791.member_14, _e4791.member_15, _e4791.member_16, _e4791.member_17, _e4791.member_18, _e4791.member_19, _e4791.member_20, _e4791.member_21, _e4791.member_22, _e4791.member_23, _e4791.member_24, _e4791.member_25, _e4791.member_26, _e4791.member_27);
+let _e4847 = type_27(_e4819.member, _e4819.member_1, _e4819.member_2, _e4819.member_3, _e4819.member_4, (_e3114.member_5 + vec3<f32>((((_e4707 * _e4650) + (_e4603 * _e4721)) * 2f), (((_e4708 * _e4650) + (_e4604 * _e4721)) * 2f), (((_e4709 * _e4650) + (_e4605 * _e4721)) * 2f))), _e4819.member_6, _e4819.member_7, _e4819.member_8, _e4819.member_9, _e4819.member_10, _e4819.member_11, _e4819.member_12, _e4819.member_13, _e4819.member_14, _e4819.member_15, _e4819.member_16, _e4819.member_17, _e4819.member_18, _e4819.member_19, _e4819.member_20, _e4819.member_21, _e4819.member_22, _e4819.member_23, _e4819.member_24, _e4819.member_25, _e4819.member_26, _e4819.member_27);
 let _e4849 = select(1f, -1f, (_e4649 > 0f));
 let _e4850 = (_e4603 * _e4849);
 let _e4851 = (_e4604 * _e4849);
 let _e4852 = (_e4605 * _e4849);
 let _e4858 = -((((_e3114.member_1.x * _e4850) + (_e3114.member_1.y * _e4851)) + (_e3114.member_1.z * _e4852)));
 let _e4861 = (2f * select(0f, _e4858, (_e4858 > 0f)));
-let _e4894 = type_26(_e4847.member, (_e3114.member_1 + vec3<f32>((_e4850 * _e4861), (_e4851 * _e4861), (_e4852 * _e4861))), _e4847.member_2, _e4847.member_3, _e4847.member_4, _e4847.member_5, _e4847.member_6, _e4847.member_7, _e4847.member_8, _e4847.member_9, _e4847.member_10, _e4847.member_11, _e4847.member_12, _e4847.member_13, _e4847.member_14, _e4847.member_15, _e4847.member_16, _e4847.member_17, _e4847.member_18, _e4847.member_19, _e4847.member_20, _e4847.member_21, _e4847.member_22, _e4847.member_23, _e4847.member_24, _e4847.member_25, _e4847.member_26, _e4847.member_27);
-phi_10211_ = type_26(_e4894.member, _e4894.member_1, _e4894.member_2, _e4894.member_3, _e4894.member_4, _e4894.member_5, _e4894.member_6, _e4894.member_7, _e4894.member_8, _e4894.member_9, _e4894.member_10, _e4894.member_11, _e4894.member_12, _e4894.member_13, _e4894.member_14, _e4894.member_15, (_e3114.member_16 + 1i), _e4894.member_17, _e4894.member_18, _e4894.member_19, _e4894.member_20, _e4894.member_21, _e4894.member_22, _e4894.member_23, _e4894.member_24, _e4894.member_25, _e4894.member_26, _e4894.member_27);
+let _e4894 = type_27(_e4847.member, (_e3114.member_1 + vec3<f32>((_e4850 * _e4861), (_e4851 * _e4861), (_e4852 * _e4861))), _e4847.member_2, _e4847.member_3, _e4847.member_4, _e4847.member_5, _e4847.member_6, _e4847.member_7, _e4847.member_8, _e4847.member_9, _e4847.member_10, _e4847.member_11, _e4847.member_12, _e4847.member_13, _e4847.member_14, _e4847.member_15, _e4847.member_16, _e4847.member_17, _e4847.member_18, _e4847.member_19, _e4847.member_20, _e4847.member_21, _e4847.member_22, _e4847.member_23, _e4847.member_24, _e4847.member_25, _e4847.member_26, _e4847.member_27);
+phi_10212_ = type_27(_e4894.member, _e4894.member_1, _e4894.member_2, _e4894.member_3, _e4894.member_4, _e4894.member_5, _e4894.member_6, _e4894.member_7, _e4894.member_8, _e4894.member_9, _e4894.member_10, _e4894.member_11, _e4894.member_12, _e4894.member_13, _e4894.member_14, _e4894.member_15, (_e3114.member_16 + 1i), _e4894.member_17, _e4894.member_18, _e4894.member_19, _e4894.member_20, _e4894.member_21, _e4894.member_22, _e4894.member_23, _e4894.member_24, _e4894.member_25, _e4894.member_26, _e4894.member_27);
 } else {
 let _e3745 = global_5.member.member_12.member_1;
 let _e3747 = local_23;
@@ -2567,30 +2579,30 @@ let _e3893 = ((select(_e3114.member_6.z, _e3888, (_e3888 > _e3114.member_6.z)) *
 let _e3895 = (1i << bitcast<u32>(_e3875));
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3114.member_17 & (_e3895 - 1i))))) == _e3114.member_20) {
 if _e3893 {
-phi_9880_ = type_26(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, _e3741.member_18, _e3741.member_19, _e3741.member_20, 1i, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, _e3741.member_27);
+phi_9881_ = type_27(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, _e3741.member_18, _e3741.member_19, _e3741.member_20, 1i, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, _e3741.member_27);
 } else {
-phi_9880_ = type_26(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, _e3741.member_18, _e3741.member_19, _e3741.member_20, _e3741.member_21, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, (_e3114.member_27 + ((((_e3114.member_6.x + _e3114.member_6.y) + _e3114.member_6.z) * (1f / 3f)) * _e3871)));
+phi_9881_ = type_27(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, _e3741.member_18, _e3741.member_19, _e3741.member_20, _e3741.member_21, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, (_e3114.member_27 + ((((_e3114.member_6.x + _e3114.member_6.y) + _e3114.member_6.z) * (1f / 3f)) * _e3871)));
 }
-let _e3998 = phi_9880_;
-phi_9890_ = _e3998;
+let _e3998 = phi_9881_;
+phi_9891_ = _e3998;
 } else {
-phi_9890_ = type_26(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, (_e3114.member_18 | select(0i, _e3895, _e3893)), _e3741.member_19, _e3741.member_20, _e3741.member_21, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, _e3741.member_27);
+phi_9891_ = type_27(_e3741.member, _e3741.member_1, _e3741.member_2, _e3741.member_3, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9, _e3741.member_10, _e3741.member_11, _e3741.member_12, _e3741.member_13, _e3741.member_14, _e3741.member_15, _e3741.member_16, _e3741.member_17, (_e3114.member_18 | select(0i, _e3895, _e3893)), _e3741.member_19, _e3741.member_20, _e3741.member_21, _e3741.member_22, _e3741.member_23, _e3741.member_24, _e3741.member_25, _e3741.member_26, _e3741.member_27);
 }
-let _e4000 = phi_9890_;
-phi_9891_ = _e4000;
+let _e4000 = phi_9891_;
+phi_9892_ = _e4000;
 } else {
-phi_9891_ = _e3741;
+phi_9892_ = _e3741;
 }
-let _e4002 = phi_9891_;
+let _e4002 = phi_9892_;
 let _e4003 = (((_e3114.member_16 < _e3114.member_19) && (((_e3114.member_17 >> bitcast<u32>(_e3875)) & 1i) == 1i)) != (_e3866 > 0.5f));
 let _e4004 = (_e3797 || _e4003);
 if _e3797 {
-phi_9911_ = _e4002;
+phi_9912_ = _e4002;
 } else {
 let _e4005 = select(_e3869, _e3866, _e4003);
-phi_9911_ = type_26(_e4002.member, _e4002.member_1, _e4002.member_2, _e4002.member_3, _e4002.member_4, _e4002.member_5, vec3<f32>((_e4002.member_6.x * _e4005), (_e4002.member_6.y * _e4005), (_e4002.member_6.z * _e4005)), _e4002.member_7, _e4002.member_8, _e4002.member_9, _e4002.member_10, _e4002.member_11, _e4002.member_12, _e4002.member_13, _e4002.member_14, _e4002.member_15, _e4002.member_16, _e4002.member_17, _e4002.member_18, _e4002.member_19, _e4002.member_20, _e4002.member_21, _e4002.member_22, _e4002.member_23, _e4002.member_24, _e4002.member_25, _e4002.member_26, _e4002.member_27);
+phi_9912_ = type_27(_e4002.member, _e4002.member_1, _e4002.member_2, _e4002.member_3, _e4002.member_4, _e4002.member_5, vec3<f32>((_e4002.member_6.x * _e4005), (_e4002.member_6.y * _e4005), (_e4002.member_6.z * _e4005)), _e4002.member_7, _e4002.member_8, _e4002.member_9, _e4002.member_10, _e4002.member_11, _e4002.member_12, _e4002.member_13, _e4002.member_14, _e4002.member_15, _e4002.member_16, _e4002.member_17, _e4002.member_18, _e4002.member_19, _e4002.member_20, _e4002.member_21, _e4002.member_22, _e4002.member_23, _e4002.member_24, _e4002.member_25, _e4002.member_26, _e4002.member_27);
 }
-let _e4045 = phi_9911_;
+let _e4045 = phi_9912_;
 let _e4056 = select(1f, -1f, ((((_e3562 * _e4045.member_1.x) + (_e3563 * _e4045.member_1.y)) + (_e3564 * _e4045.member_1.z)) > 0f));
 let _e4057 = (_e3562 * _e4056);
 let _e4058 = (_e3563 * _e4056);
@@ -2613,16 +2625,16 @@ let _e4105 = (_e4094 - (_e4059 * _e4099));
 let _e4111 = -((((_e4045.member_1.x * _e4057) + (_e4045.member_1.y * _e4058)) + (_e4045.member_1.z * _e4059)));
 let _e4126 = -(((((_e4045.member_4.x * _e4057) + (_e4045.member_4.y * _e4058)) + (_e4045.member_4.z * _e4059)) + (((_e4045.member_1.x * _e4103) + (_e4045.member_1.y * _e4104)) + (_e4045.member_1.z * _e4105))));
 if _e4004 {
-phi_10066_ = (_e4045.member_4 + vec3<f32>((((_e4103 * _e4111) + (_e4057 * _e4126)) * 2f), (((_e4104 * _e4111) + (_e4058 * _e4126)) * 2f), (((_e4105 * _e4111) + (_e4059 * _e4126)) * 2f)));
+phi_10067_ = (_e4045.member_4 + vec3<f32>((((_e4103 * _e4111) + (_e4057 * _e4126)) * 2f), (((_e4104 * _e4111) + (_e4058 * _e4126)) * 2f), (((_e4105 * _e4111) + (_e4059 * _e4126)) * 2f)));
 } else {
 let _e4130 = (1f - (_e3792 * (1f - (_e4111 * _e4111))));
 let _e4132 = select(1e-12f, _e4130, (_e4130 > 1e-12f));
 let _e4135 = sqrt(select(0f, _e4132, (_e4132 > 0f)));
 let _e4137 = ((_e3791 * _e4111) - _e4135);
 let _e4141 = ((_e3791 - ((_e3792 * _e4111) / _e4135)) * _e4126);
-phi_10066_ = vec3<f32>((((_e4045.member_4.x * _e3791) + (_e4103 * _e4137)) + (_e4057 * _e4141)), (((_e4045.member_4.y * _e3791) + (_e4104 * _e4137)) + (_e4058 * _e4141)), (((_e4045.member_4.z * _e3791) + (_e4105 * _e4137)) + (_e4059 * _e4141)));
+phi_10067_ = vec3<f32>((((_e4045.member_4.x * _e3791) + (_e4103 * _e4137)) + (_e4057 * _e4141)), (((_e4045.member_4.y * _e3791) + (_e4104 * _e4137)) + (_e4058 * _e4141)), (((_e4045.member_4.z * _e3791) + (_e4105 * _e4137)) + (_e4059 * _e4141)));
 }
-let _e4173 = phi_10066_;
+let _e4173 = phi_10067_;
 let _e4181 = (((_e3565 * _e4045.member_3.x) + (_e3566 * _e4045.member_3.y)) + (_e3567 * _e4045.member_3.z));
 let _e4189 = (((_e3568 * _e4045.member_3.x) + (_e3569 * _e4045.member_3.y)) + (_e3570 * _e4045.member_3.z));
 let _e4196 = (((_e4060 * _e4181) + (_e4063 * _e4189)) * _e3423);
@@ -2634,34 +2646,34 @@ let _e4208 = (_e4197 - (_e4058 * _e4203));
 let _e4209 = (_e4198 - (_e4059 * _e4203));
 let _e4224 = -(((((_e4045.member_5.x * _e4057) + (_e4045.member_5.y * _e4058)) + (_e4045.member_5.z * _e4059)) + (((_e4045.member_1.x * _e4207) + (_e4045.member_1.y * _e4208)) + (_e4045.member_1.z * _e4209))));
 if _e4004 {
-phi_10192_ = (_e4045.member_5 + vec3<f32>((((_e4207 * _e4111) + (_e4057 * _e4224)) * 2f), (((_e4208 * _e4111) + (_e4058 * _e4224)) * 2f), (((_e4209 * _e4111) + (_e4059 * _e4224)) * 2f)));
+phi_10193_ = (_e4045.member_5 + vec3<f32>((((_e4207 * _e4111) + (_e4057 * _e4224)) * 2f), (((_e4208 * _e4111) + (_e4058 * _e4224)) * 2f), (((_e4209 * _e4111) + (_e4059 * _e4224)) * 2f)));
 } else {
 let _e4228 = (1f - (_e3792 * (1f - (_e4111 * _e4111))));
 let _e4230 = select(1e-12f, _e4228, (_e4228 > 1e-12f));
 let _e4233 = sqrt(select(0f, _e4230, (_e4230 > 0f)));
 let _e4235 = ((_e3791 * _e4111) - _e4233);
 let _e4239 = ((_e3791 - ((_e3792 * _e4111) / _e4233)) * _e4224);
-phi_10192_ = vec3<f32>((((_e4045.member_5.x * _e3791) + (_e4207 * _e4235)) + (_e4057 * _e4239)), (((_e4045.member_5.y * _e3791) + (_e4208 * _e4235)) + (_e4058 * _e4239)), (((_e4045.member_5.z * _e3791) + (_e4209 * _e4235)) + (_e4059 * _e4239)));
+phi_10193_ = vec3<f32>((((_e4045.member_5.x * _e3791) + (_e4207 * _e4235)) + (_e4057 * _e4239)), (((_e4045.member_5.y * _e3791) + (_e4208 * _e4235)) + (_e4058 * _e4239)), (((_e4045.member_5.z * _e3791) + (_e4209 * _e4235)) + (_e4059 * _e4239)));
 }
-let _e4271 = phi_10192_;
-let _e4299 = type_26(_e4045.member, _e4045.member_1, _e4045.member_2, _e4045.member_3, _e4045.member_4, _e4045.member_5, _e4045.member_6, _e4045.member_7, _e4045.member_8, _e4045.member_9, _e4045.member_10, _e4045.member_11, _e4045.member_12, _e4045.member_13, _e4045.member_14, _e4045.member_15, _e4045.member_16, _e4045.member_17, _e4045.member_18, _e4045.member_19, _e4045.member_20, _e4045.member_21, _e4045.member_22, _e4045.member_23, _e4045.member_24, _e4045.member_25, _e4045.member_26, _e4045.member_27);
-let _e4327 = type_26(_e4299.member, _e4299.member_1, _e4299.member_2, _e4045.member_3, _e4299.member_4, _e4299.member_5, _e4299.member_6, _e4299.member_7, _e4299.member_8, _e4299.member_9, _e4299.member_10, _e4299.member_11, _e4299.member_12, _e4299.member_13, _e4299.member_14, _e4299.member_15, _e4299.member_16, _e4299.member_17, _e4299.member_18, _e4299.member_19, _e4299.member_20, _e4299.member_21, _e4299.member_22, _e4299.member_23, _e4299.member_24, _e4299.member_25, _e4299.member_26, _e4299.member_27);
-let _e4355 = type_26(_e4327.member, _e4327.member_1, _e4327.member_2, _e4327.member_3, _e4173, _e4327.member_5, _e4327.member_6, _e4327.member_7, _e4327.member_8, _e4327.member_9, _e4327.member_10, _e4327.member_11, _e4327.member_12, _e4327.member_13, _e4327.member_14, _e4327.member_15, _e4327.member_16, _e4327.member_17, _e4327.member_18, _e4327.member_19, _e4327.member_20, _e4327.member_21, _e4327.member_22, _e4327.member_23, _e4327.member_24, _e4327.member_25, _e4327.member_26, _e4327.member_27);
-let _e4383 = type_26(_e4355.member, _e4355.member_1, _e4355.member_2, _e4355.member_3, _e4355.member_4, _e4271, _e4355.member_6, _e4355.member_7, _e4355.member_8, _e4355.member_9, _e4355.member_10, _e4355.member_11, _e4355.member_12, _e4355.member_13, _e4355.member_14, _e4355.member_15, _e4355.member_16, _e4355.member_17, _e4355.member_18, _e4355.member_19, _e4355.member_20, _e4355.member_21, _e4355.member_22, _e4355.member_23, _e4355.member_24, _e4355.member_25, _e4355.member_26, _e4355.member_27);
-let _e4413 = type_26(_e4383.member, select(vec3<f32>((_e3821 * _e3834), (_e3822 * _e3834), (_e3823 * _e3834)), (_e3114.member_1 + vec3<f32>(_e3813, _e3814, _e3815)), vec3(_e4004)), _e4383.member_2, _e4383.member_3, _e4383.member_4, _e4383.member_5, _e4383.member_6, _e4383.member_7, _e4383.member_8, _e4383.member_9, _e4383.member_10, _e4383.member_11, _e4383.member_12, _e4383.member_13, _e4383.member_14, _e4383.member_15, _e4383.member_16, _e4383.member_17, _e4383.member_18, _e4383.member_19, _e4383.member_20, _e4383.member_21, _e4383.member_22, _e4383.member_23, _e4383.member_24, _e4383.member_25, _e4383.member_26, _e4383.member_27);
-let _e4443 = type_26(_e4413.member, _e4413.member_1, _e4413.member_2, _e4413.member_3, _e4413.member_4, _e4413.member_5, _e4413.member_6, _e4413.member_7, _e4413.member_8, _e4413.member_9, _e4413.member_10, _e4413.member_11, _e4413.member_12, _e4413.member_13, _e4413.member_14, _e4413.member_15, (_e4045.member_16 + 1i), _e4413.member_17, _e4413.member_18, _e4413.member_19, _e4413.member_20, _e4413.member_21, _e4413.member_22, _e4413.member_23, _e4413.member_24, _e4413.member_25, _e4413.member_26, _e4413.member_27);
+let _e4271 = phi_10193_;
+let _e4299 = type_27(_e4045.member, _e4045.member_1, _e4045.member_2, _e4045.member_3, _e4045.member_4, _e4045.member_5, _e4045.member_6, _e4045.member_7, _e4045.member_8, _e4045.member_9, _e4045.member_10, _e4045.member_11, _e4045.member_12, _e4045.member_13, _e4045.member_14, _e4045.member_15, _e4045.member_16, _e4045.member_17, _e4045.member_18, _e4045.member_19, _e4045.member_20, _e4045.member_21, _e4045.member_22, _e4045.member_23, _e4045.member_24, _e4045.member_25, _e4045.member_26, _e4045.member_27);
+let _e4327 = type_27(_e4299.member, _e4299.member_1, _e4299.member_2, _e4045.member_3, _e4299.member_4, _e4299.member_5, _e4299.member_6, _e4299.member_7, _e4299.member_8, _e4299.member_9, _e4299.member_10, _e4299.member_11, _e4299.member_12, _e4299.member_13, _e4299.member_14, _e4299.member_15, _e4299.member_16, _e4299.member_17, _e4299.member_18, _e4299.member_19, _e4299.member_20, _e4299.member_21, _e4299.member_22, _e4299.member_23, _e4299.member_24, _e4299.member_25, _e4299.member_26, _e4299.member_27);
+let _e4355 = type_27(_e4327.member, _e4327.member_1, _e4327.member_2, _e4327.member_3, _e4173, _e4327.member_5, _e4327.member_6, _e4327.member_7, _e4327.member_8, _e4327.member_9, _e4327.member_10, _e4327.member_11, _e4327.member_12, _e4327.member_13, _e4327.member_14, _e4327.member_15, _e4327.member_16, _e4327.member_17, _e4327.member_18, _e4327.member_19, _e4327.member_20, _e4327.member_21, _e4327.member_22, _e4327.member_23, _e4327.member_24, _e4327.member_25, _e4327.member_26, _e4327.member_27);
+let _e4383 = type_27(_e4355.member, _e4355.member_1, _e4355.member_2, _e4355.member_3, _e4355.member_4, _e4271, _e4355.member_6, _e4355.member_7, _e4355.member_8, _e4355.member_9, _e4355.member_10, _e4355.member_11, _e4355.member_12, _e4355.member_13, _e4355.member_14, _e4355.member_15, _e4355.member_16, _e4355.member_17, _e4355.member_18, _e4355.member_19, _e4355.member_20, _e4355.member_21, _e4355.member_22, _e4355.member_23, _e4355.member_24, _e4355.member_25, _e4355.member_26, _e4355.member_27);
+let _e4413 = type_27(_e4383.member, select(vec3<f32>((_e3821 * _e3834), (_e3822 * _e3834), (_e3823 * _e3834)), (_e3114.member_1 + vec3<f32>(_e3813, _e3814, _e3815)), vec3(_e4004)), _e4383.member_2, _e4383.member_3, _e4383.member_4, _e4383.member_5, _e4383.member_6, _e4383.member_7, _e4383.member_8, _e4383.member_9, _e4383.member_10, _e4383.member_11, _e4383.member_12, _e4383.member_13, _e4383.member_14, _e4383.member_15, _e4383.member_16, _e4383.member_17, _e4383.member_18, _e4383.member_19, _e4383.member_20, _e4383.member_21, _e4383.member_22, _e4383.member_23, _e4383.member_24, _e4383.member_25, _e4383.member_26, _e4383.member_27);
+let _e4443 = type_27(_e4413.member, _e4413.member_1, _e4413.member_2, _e4413.member_3, _e4413.member_4, _e4413.member_5, _e4413.member_6, _e4413.member_7, _e4413.member_8, _e4413.member_9, _e4413.member_10, _e4413.member_11, _e4413.member_12, _e4413.member_13, _e4413.member_14, _e4413.member_15, (_e4045.member_16 + 1i), _e4413.member_17, _e4413.member_18, _e4413.member_19, _e4413.member_20, _e4413.member_21, _e4413.member_22, _e4413.member_23, _e4413.member_24, _e4413.member_25, _e4413.member_26, _e4413.member_27);
 if !(_e4004) {
-phi_10210_ = type_26(_e4443.member, _e4443.member_1, _e4443.member_2, _e4443.member_3, _e4443.member_4, _e4443.member_5, _e4443.member_6, _e2023, _e4443.member_8, _e4443.member_9, _e4443.member_10, _e4443.member_11, _e4443.member_12, _e4443.member_13, _e4443.member_14, _e4443.member_15, _e4443.member_16, _e4443.member_17, _e4443.member_18, _e4443.member_19, _e4443.member_20, _e4443.member_21, _e4443.member_22, _e4443.member_23, _e4443.member_24, _e4443.member_25, _e4443.member_26, _e4443.member_27);
+phi_10211_ = type_27(_e4443.member, _e4443.member_1, _e4443.member_2, _e4443.member_3, _e4443.member_4, _e4443.member_5, _e4443.member_6, _e2023, _e4443.member_8, _e4443.member_9, _e4443.member_10, _e4443.member_11, _e4443.member_12, _e4443.member_13, _e4443.member_14, _e4443.member_15, _e4443.member_16, _e4443.member_17, _e4443.member_18, _e4443.member_19, _e4443.member_20, _e4443.member_21, _e4443.member_22, _e4443.member_23, _e4443.member_24, _e4443.member_25, _e4443.member_26, _e4443.member_27);
 } else {
-phi_10210_ = _e4443;
+phi_10211_ = _e4443;
 }
-let _e4474 = phi_10210_;
-phi_10211_ = _e4474;
+let _e4474 = phi_10211_;
+phi_10212_ = _e4474;
 }
-let _e4925 = phi_10211_;
-let _e4953 = type_26(_e4925.member, _e4925.member_1, _e4925.member_2, _e4925.member_3, _e4925.member_4, _e4925.member_5, _e4925.member_6, _e4925.member_7, _e4925.member_8, _e4925.member_9, _e4925.member_10, _e4925.member_11, _e4925.member_12, 0f, _e4925.member_14, _e4925.member_15, _e4925.member_16, _e4925.member_17, _e4925.member_18, _e4925.member_19, _e4925.member_20, _e4925.member_21, _e4925.member_22, _e4925.member_23, _e4925.member_24, _e4925.member_25, _e4925.member_26, _e4925.member_27);
-let _e4981 = type_26(_e4953.member, _e4953.member_1, _e4953.member_2, _e4953.member_3, _e4953.member_4, _e4953.member_5, _e4953.member_6, _e4953.member_7, _e4953.member_8, _e4953.member_9, _e4953.member_10, 0i, _e4953.member_12, _e4953.member_13, _e4953.member_14, _e4953.member_15, _e4953.member_16, _e4953.member_17, _e4953.member_18, _e4953.member_19, _e4953.member_20, _e4953.member_21, _e4953.member_22, _e4953.member_23, _e4953.member_24, _e4953.member_25, _e4953.member_26, _e4953.member_27);
-let _e5009 = type_26(_e4981.member, _e4981.member_1, _e4981.member_2, _e4981.member_3, _e4981.member_4, _e4981.member_5, _e4981.member_6, _e4981.member_7, _e4981.member_8, _e4981.member_9, _e4981.member_10, _e4981.member_11, 0i, _e4981.member_13, _e4981.member_14, _e4981.member_15, _e4981.member_16, _e4981.member_17, _e4981.member_18, _e4981.member_19, _e4981.member_20, _e4981.member_21, _e4981.member_22, _e4981.member_23, _e4981.member_24, _e4981.member_25, _e4981.member_26, _e4981.member_27);
+let _e4925 = phi_10212_;
+let _e4953 = type_27(_e4925.member, _e4925.member_1, _e4925.member_2, _e4925.member_3, _e4925.member_4, _e4925.member_5, _e4925.member_6, _e4925.member_7, _e4925.member_8, _e4925.member_9, _e4925.member_10, _e4925.member_11, _e4925.member_12, 0f, _e4925.member_14, _e4925.member_15, _e4925.member_16, _e4925.member_17, _e4925.member_18, _e4925.member_19, _e4925.member_20, _e4925.member_21, _e4925.member_22, _e4925.member_23, _e4925.member_24, _e4925.member_25, _e4925.member_26, _e4925.member_27);
+let _e4981 = type_27(_e4953.member, _e4953.member_1, _e4953.member_2, _e4953.member_3, _e4953.member_4, _e4953.member_5, _e4953.member_6, _e4953.member_7, _e4953.member_8, _e4953.member_9, _e4953.member_10, 0i, _e4953.member_12, _e4953.member_13, _e4953.member_14, _e4953.member_15, _e4953.member_16, _e4953.member_17, _e4953.member_18, _e4953.member_19, _e4953.member_20, _e4953.member_21, _e4953.member_22, _e4953.member_23, _e4953.member_24, _e4953.member_25, _e4953.member_26, _e4953.member_27);
+let _e5009 = type_27(_e4981.member, _e4981.member_1, _e4981.member_2, _e4981.member_3, _e4981.member_4, _e4981.member_5, _e4981.member_6, _e4981.member_7, _e4981.member_8, _e4981.member_9, _e4981.member_10, _e4981.member_11, 0i, _e4981.member_13, _e4981.member_14, _e4981.member_15, _e4981.member_16, _e4981.member_17, _e4981.member_18, _e4981.member_19, _e4981.member_20, _e4981.member_21, _e4981.member_22, _e4981.member_23, _e4981.member_24, _e4981.member_25, _e4981.member_26, _e4981.member_27);
 let _e5016 = global_5.member.member_14.member.member;
 let _e5030 = ((((_e5016.member.member * _e4925.member.x) + (_e5016.member.member_1 * _e4925.member.y)) + (_e5016.member.member_2 * _e4925.member.z)) + _e5016.member_1);
 let _e5039 = -((((_e5016.member.member * _e4925.member_1.x) + (_e5016.member.member_1 * _e4925.member_1.y)) + (_e5016.member.member_2 * _e4925.member_1.z)));
@@ -2675,36 +2687,36 @@ let _e5072 = (_e5070 > 1e-9f);
 let _e5076 = ((_e5064 / select(1e-9f, _e5070, _e5072)) - 0.015625f);
 let _e5079 = select(1e30f, select(0f, _e5076, (_e5076 > 0f)), ((_e5064 > 0f) && _e5072));
 let _e5083 = (_e5079 < _e5048);
-let _e5114 = type_26(_e5009.member, _e5009.member_1, _e5009.member_2, _e5009.member_3, _e5009.member_4, _e5009.member_5, _e5009.member_6, _e5009.member_7, 0i, _e5009.member_9, _e5009.member_10, _e5009.member_11, _e5009.member_12, _e5009.member_13, _e5009.member_14, _e5009.member_15, _e5009.member_16, _e5009.member_17, _e5009.member_18, _e5009.member_19, _e5009.member_20, _e5009.member_21, _e5009.member_22, _e5009.member_23, _e5009.member_24, _e5009.member_25, _e5009.member_26, _e5009.member_27);
-let _e5142 = type_26(_e5114.member, _e5114.member_1, _e5114.member_2, _e5114.member_3, _e5114.member_4, _e5114.member_5, _e5114.member_6, _e5114.member_7, _e5114.member_8, select(select(-2i, -3i, _e5083), -1i, ((_e5048 >= 1e30f) && (_e5079 >= 1e30f))), _e5114.member_10, _e5114.member_11, _e5114.member_12, _e5114.member_13, _e5114.member_14, _e5114.member_15, _e5114.member_16, _e5114.member_17, _e5114.member_18, _e5114.member_19, _e5114.member_20, _e5114.member_21, _e5114.member_22, _e5114.member_23, _e5114.member_24, _e5114.member_25, _e5114.member_26, _e5114.member_27);
-let _e5170 = type_26(_e5142.member, _e5142.member_1, _e5142.member_2, _e5142.member_3, _e5142.member_4, _e5142.member_5, _e5142.member_6, _e5142.member_7, _e5142.member_8, _e5142.member_9, select(_e5048, _e5079, _e5083), _e5142.member_11, _e5142.member_12, _e5142.member_13, _e5142.member_14, _e5142.member_15, _e5142.member_16, _e5142.member_17, _e5142.member_18, _e5142.member_19, _e5142.member_20, _e5142.member_21, _e5142.member_22, _e5142.member_23, _e5142.member_24, _e5142.member_25, _e5142.member_26, _e5142.member_27);
+let _e5114 = type_27(_e5009.member, _e5009.member_1, _e5009.member_2, _e5009.member_3, _e5009.member_4, _e5009.member_5, _e5009.member_6, _e5009.member_7, 0i, _e5009.member_9, _e5009.member_10, _e5009.member_11, _e5009.member_12, _e5009.member_13, _e5009.member_14, _e5009.member_15, _e5009.member_16, _e5009.member_17, _e5009.member_18, _e5009.member_19, _e5009.member_20, _e5009.member_21, _e5009.member_22, _e5009.member_23, _e5009.member_24, _e5009.member_25, _e5009.member_26, _e5009.member_27);
+let _e5142 = type_27(_e5114.member, _e5114.member_1, _e5114.member_2, _e5114.member_3, _e5114.member_4, _e5114.member_5, _e5114.member_6, _e5114.member_7, _e5114.member_8, select(select(-2i, -3i, _e5083), -1i, ((_e5048 >= 1e30f) && (_e5079 >= 1e30f))), _e5114.member_10, _e5114.member_11, _e5114.member_12, _e5114.member_13, _e5114.member_14, _e5114.member_15, _e5114.member_16, _e5114.member_17, _e5114.member_18, _e5114.member_19, _e5114.member_20, _e5114.member_21, _e5114.member_22, _e5114.member_23, _e5114.member_24, _e5114.member_25, _e5114.member_26, _e5114.member_27);
+let _e5170 = type_27(_e5142.member, _e5142.member_1, _e5142.member_2, _e5142.member_3, _e5142.member_4, _e5142.member_5, _e5142.member_6, _e5142.member_7, _e5142.member_8, _e5142.member_9, select(_e5048, _e5079, _e5083), _e5142.member_11, _e5142.member_12, _e5142.member_13, _e5142.member_14, _e5142.member_15, _e5142.member_16, _e5142.member_17, _e5142.member_18, _e5142.member_19, _e5142.member_20, _e5142.member_21, _e5142.member_22, _e5142.member_23, _e5142.member_24, _e5142.member_25, _e5142.member_26, _e5142.member_27);
 let _e5175 = global_5.member.member_12.member_3;
 if (_e4925.member_16 > bitcast<i32>(_e5175)) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e4925.member_17 & ((1i << bitcast<u32>((_e4925.member_16 & 31i))) - 1i))))) == _e4925.member_20) {
-phi_10366_ = (((_e4925.member_6.x + _e4925.member_6.y) + _e4925.member_6.z) * (1f / 3f));
+phi_10367_ = (((_e4925.member_6.x + _e4925.member_6.y) + _e4925.member_6.z) * (1f / 3f));
 } else {
-phi_10366_ = 0f;
+phi_10367_ = 0f;
 }
-let _e5198 = phi_10366_;
-let _e5228 = type_26(_e5170.member, _e5170.member_1, _e5170.member_2, _e5170.member_3, _e5170.member_4, _e5170.member_5, _e5170.member_6, _e5170.member_7, _e5170.member_8, _e5170.member_9, _e5170.member_10, _e5170.member_11, _e5170.member_12, _e5170.member_13, _e5170.member_14, _e5170.member_15, _e5170.member_16, _e5170.member_17, _e5170.member_18, _e5170.member_19, _e5170.member_20, _e5170.member_21, _e5170.member_22, _e5170.member_23, _e5170.member_24, _e5170.member_25, _e5170.member_26, (_e4925.member_27 + _e5198));
+let _e5198 = phi_10367_;
+let _e5228 = type_27(_e5170.member, _e5170.member_1, _e5170.member_2, _e5170.member_3, _e5170.member_4, _e5170.member_5, _e5170.member_6, _e5170.member_7, _e5170.member_8, _e5170.member_9, _e5170.member_10, _e5170.member_11, _e5170.member_12, _e5170.member_13, _e5170.member_14, _e5170.member_15, _e5170.member_16, _e5170.member_17, _e5170.member_18, _e5170.member_19, _e5170.member_20, _e5170.member_21, _e5170.member_22, _e5170.member_23, _e5170.member_24, _e5170.member_25, _e5170.member_26, (_e4925.member_27 + _e5198));
 let _e5230 = (_e4925.member_18 == 0i);
 if (_e5230 && (_e4925.member_21 == 0i)) {
-phi_12410_ = type_26(_e5228.member, _e5228.member_1, _e5228.member_2, _e5228.member_3, _e5228.member_4, _e5228.member_5, _e5228.member_6, _e5228.member_7, _e5228.member_8, _e5228.member_9, _e5228.member_10, _e5228.member_11, _e5228.member_12, _e5228.member_13, _e5228.member_14, 3f, _e5228.member_16, _e5228.member_17, _e5228.member_18, _e5228.member_19, _e5228.member_20, _e5228.member_21, _e5228.member_22, _e5228.member_23, _e5228.member_24, _e5228.member_25, _e5228.member_26, _e5228.member_27);
+phi_12411_ = type_27(_e5228.member, _e5228.member_1, _e5228.member_2, _e5228.member_3, _e5228.member_4, _e5228.member_5, _e5228.member_6, _e5228.member_7, _e5228.member_8, _e5228.member_9, _e5228.member_10, _e5228.member_11, _e5228.member_12, _e5228.member_13, _e5228.member_14, 3f, _e5228.member_16, _e5228.member_17, _e5228.member_18, _e5228.member_19, _e5228.member_20, _e5228.member_21, _e5228.member_22, _e5228.member_23, _e5228.member_24, _e5228.member_25, _e5228.member_26, _e5228.member_27);
 } else {
 if _e5230 {
-let _e5360 = type_26(_e5228.member, _e5228.member_1, _e5228.member_2, _e5228.member_3, _e5228.member_4, _e5228.member_5, _e5228.member_6, _e5228.member_7, _e5228.member_8, _e5228.member_9, _e5228.member_10, _e5228.member_11, _e5228.member_12, _e5228.member_13, _e5228.member_14, _e5228.member_15, _e5228.member_16, _e5228.member_17, _e5228.member_18, _e5228.member_19, (_e4925.member_20 + 1i), _e5228.member_21, _e5228.member_22, _e5228.member_23, _e5228.member_24, _e5228.member_25, _e5228.member_26, _e5228.member_27);
-let _e5388 = type_26(_e5360.member, _e5360.member_1, _e5360.member_2, _e5360.member_3, _e5360.member_4, _e5360.member_5, _e5360.member_6, _e5360.member_7, _e5360.member_8, _e5360.member_9, _e5360.member_10, _e5360.member_11, _e5360.member_12, _e5360.member_13, _e5360.member_14, _e5360.member_15, _e5360.member_16, _e5360.member_17, _e5360.member_18, _e5360.member_19, _e5360.member_20, 0i, _e5360.member_22, _e5360.member_23, _e5360.member_24, _e5360.member_25, _e5360.member_26, _e5360.member_27);
-let _e5416 = type_26(_e5388.member, _e5388.member_1, _e5388.member_2, _e5388.member_3, _e5388.member_4, _e5388.member_5, _e5388.member_6, _e5388.member_7, _e5388.member_8, _e5388.member_9, _e5388.member_10, _e5388.member_11, _e5388.member_12, _e5388.member_13, _e5388.member_14, _e5388.member_15, _e5388.member_16, 0i, _e5388.member_18, _e5388.member_19, _e5388.member_20, _e5388.member_21, _e5388.member_22, _e5388.member_23, _e5388.member_24, _e5388.member_25, _e5388.member_26, _e5388.member_27);
-phi_10410_ = type_26(_e5416.member, _e5416.member_1, _e5416.member_2, _e5416.member_3, _e5416.member_4, _e5416.member_5, _e5416.member_6, _e5416.member_7, _e5416.member_8, _e5416.member_9, _e5416.member_10, _e5416.member_11, _e5416.member_12, _e5416.member_13, _e5416.member_14, _e5416.member_15, _e5416.member_16, _e5416.member_17, _e5416.member_18, 0i, _e5416.member_20, _e5416.member_21, _e5416.member_22, _e5416.member_23, _e5416.member_24, _e5416.member_25, _e5416.member_26, _e5416.member_27);
+let _e5360 = type_27(_e5228.member, _e5228.member_1, _e5228.member_2, _e5228.member_3, _e5228.member_4, _e5228.member_5, _e5228.member_6, _e5228.member_7, _e5228.member_8, _e5228.member_9, _e5228.member_10, _e5228.member_11, _e5228.member_12, _e5228.member_13, _e5228.member_14, _e5228.member_15, _e5228.member_16, _e5228.member_17, _e5228.member_18, _e5228.member_19, (_e4925.member_20 + 1i), _e5228.member_21, _e5228.member_22, _e5228.member_23, _e5228.member_24, _e5228.member_25, _e5228.member_26, _e5228.member_27);
+let _e5388 = type_27(_e5360.member, _e5360.member_1, _e5360.member_2, _e5360.member_3, _e5360.member_4, _e5360.member_5, _e5360.member_6, _e5360.member_7, _e5360.member_8, _e5360.member_9, _e5360.member_10, _e5360.member_11, _e5360.member_12, _e5360.member_13, _e5360.member_14, _e5360.member_15, _e5360.member_16, _e5360.member_17, _e5360.member_18, _e5360.member_19, _e5360.member_20, 0i, _e5360.member_22, _e5360.member_23, _e5360.member_24, _e5360.member_25, _e5360.member_26, _e5360.member_27);
+let _e5416 = type_27(_e5388.member, _e5388.member_1, _e5388.member_2, _e5388.member_3, _e5388.member_4, _e5388.member_5, _e5388.member_6, _e5388.member_7, _e5388.member_8, _e5388.member_9, _e5388.member_10, _e5388.member_11, _e5388.member_12, _e5388.member_13, _e5388.member_14, _e5388.member_15, _e5388.member_16, 0i, _e5388.member_18, _e5388.member_19, _e5388.member_20, _e5388.member_21, _e5388.member_22, _e5388.member_23, _e5388.member_24, _e5388.member_25, _e5388.member_26, _e5388.member_27);
+phi_10411_ = type_27(_e5416.member, _e5416.member_1, _e5416.member_2, _e5416.member_3, _e5416.member_4, _e5416.member_5, _e5416.member_6, _e5416.member_7, _e5416.member_8, _e5416.member_9, _e5416.member_10, _e5416.member_11, _e5416.member_12, _e5416.member_13, _e5416.member_14, _e5416.member_15, _e5416.member_16, _e5416.member_17, _e5416.member_18, 0i, _e5416.member_20, _e5416.member_21, _e5416.member_22, _e5416.member_23, _e5416.member_24, _e5416.member_25, _e5416.member_26, _e5416.member_27);
 } else {
 let _e5238 = bitcast<i32>((bitcast<u32>(f32(_e4925.member_18)) >> bitcast<u32>(23i)));
 let _e5242 = (1i << bitcast<u32>(((_e5238 - 127i) & 31i)));
 let _e5243 = (_e5242 - 1i);
-let _e5273 = type_26(_e5228.member, _e5228.member_1, _e5228.member_2, _e5228.member_3, _e5228.member_4, _e5228.member_5, _e5228.member_6, _e5228.member_7, _e5228.member_8, _e5228.member_9, _e5228.member_10, _e5228.member_11, _e5228.member_12, _e5228.member_13, _e5228.member_14, _e5228.member_15, _e5228.member_16, ((_e4925.member_17 & _e5243) | _e5242), _e5228.member_18, _e5228.member_19, _e5228.member_20, _e5228.member_21, _e5228.member_22, _e5228.member_23, _e5228.member_24, _e5228.member_25, _e5228.member_26, _e5228.member_27);
-let _e5302 = type_26(_e5273.member, _e5273.member_1, _e5273.member_2, _e5273.member_3, _e5273.member_4, _e5273.member_5, _e5273.member_6, _e5273.member_7, _e5273.member_8, _e5273.member_9, _e5273.member_10, _e5273.member_11, _e5273.member_12, _e5273.member_13, _e5273.member_14, _e5273.member_15, _e5273.member_16, _e5273.member_17, (_e4925.member_18 & _e5243), _e5273.member_19, _e5273.member_20, _e5273.member_21, _e5273.member_22, _e5273.member_23, _e5273.member_24, _e5273.member_25, _e5273.member_26, _e5273.member_27);
-phi_10410_ = type_26(_e5302.member, _e5302.member_1, _e5302.member_2, _e5302.member_3, _e5302.member_4, _e5302.member_5, _e5302.member_6, _e5302.member_7, _e5302.member_8, _e5302.member_9, _e5302.member_10, _e5302.member_11, _e5302.member_12, _e5302.member_13, _e5302.member_14, _e5302.member_15, _e5302.member_16, _e5302.member_17, _e5302.member_18, (_e5238 + -126i), _e5302.member_20, _e5302.member_21, _e5302.member_22, _e5302.member_23, _e5302.member_24, _e5302.member_25, _e5302.member_26, _e5302.member_27);
+let _e5273 = type_27(_e5228.member, _e5228.member_1, _e5228.member_2, _e5228.member_3, _e5228.member_4, _e5228.member_5, _e5228.member_6, _e5228.member_7, _e5228.member_8, _e5228.member_9, _e5228.member_10, _e5228.member_11, _e5228.member_12, _e5228.member_13, _e5228.member_14, _e5228.member_15, _e5228.member_16, ((_e4925.member_17 & _e5243) | _e5242), _e5228.member_18, _e5228.member_19, _e5228.member_20, _e5228.member_21, _e5228.member_22, _e5228.member_23, _e5228.member_24, _e5228.member_25, _e5228.member_26, _e5228.member_27);
+let _e5302 = type_27(_e5273.member, _e5273.member_1, _e5273.member_2, _e5273.member_3, _e5273.member_4, _e5273.member_5, _e5273.member_6, _e5273.member_7, _e5273.member_8, _e5273.member_9, _e5273.member_10, _e5273.member_11, _e5273.member_12, _e5273.member_13, _e5273.member_14, _e5273.member_15, _e5273.member_16, _e5273.member_17, (_e4925.member_18 & _e5243), _e5273.member_19, _e5273.member_20, _e5273.member_21, _e5273.member_22, _e5273.member_23, _e5273.member_24, _e5273.member_25, _e5273.member_26, _e5273.member_27);
+phi_10411_ = type_27(_e5302.member, _e5302.member_1, _e5302.member_2, _e5302.member_3, _e5302.member_4, _e5302.member_5, _e5302.member_6, _e5302.member_7, _e5302.member_8, _e5302.member_9, _e5302.member_10, _e5302.member_11, _e5302.member_12, _e5302.member_13, _e5302.member_14, _e5302.member_15, _e5302.member_16, _e5302.member_17, _e5302.member_18, (_e5238 + -126i), _e5302.member_20, _e5302.member_21, _e5302.member_22, _e5302.member_23, _e5302.member_24, _e5302.member_25, _e5302.member_26, _e5302.member_27);
 }
-let _e5446 = phi_10410_;
+let _e5446 = phi_10411_;
 let _e5452 = global_5.member.member_11.member_2;
 let _e5459 = global_5.member.member_11.member_3;
 let _e5466 = global_5.member.member_11.member_5;
@@ -2766,11 +2778,11 @@ let _e5652 = select(_e5634, _e5632, (_e5632 > _e5634));
 let _e5654 = select(_e5652, _e5650, (_e5650 < _e5652));
 let _e5656 = select(_e5638, _e5636, (_e5636 > _e5638));
 if (true && _e5520) {
-phi_10994_ = -(1e30f);
+phi_10995_ = -(1e30f);
 } else {
-phi_10994_ = 0f;
+phi_10995_ = 0f;
 }
-let _e5662 = phi_10994_;
+let _e5662 = phi_10995_;
 let _e5664 = select(_e5662, _e5648, (_e5648 > _e5662));
 let _e5666 = ((select(_e5656, _e5654, (_e5654 < _e5656)) <= _e5664) || false);
 let _e5667 = select(_e5664, 0f, _e5666);
@@ -2780,18 +2792,18 @@ let _e5670 = (_e5538 * _e5667);
 let _e5671 = (_e5543 + _e5668);
 let _e5672 = (_e5544 + _e5669);
 let _e5673 = (_e5545 + _e5670);
-let _e5703 = type_26((vec3<f32>(_e5543, _e5544, _e5545) + vec3<f32>(_e5668, _e5669, _e5670)), _e5446.member_1, _e5446.member_2, _e5446.member_3, _e5446.member_4, _e5446.member_5, _e5446.member_6, _e5446.member_7, _e5446.member_8, _e5446.member_9, _e5446.member_10, _e5446.member_11, _e5446.member_12, _e5446.member_13, _e5446.member_14, _e5446.member_15, _e5446.member_16, _e5446.member_17, _e5446.member_18, _e5446.member_19, _e5446.member_20, _e5446.member_21, _e5446.member_22, _e5446.member_23, _e5446.member_24, _e5446.member_25, _e5446.member_26, _e5446.member_27);
-let _e5731 = type_26(_e5703.member, vec3<f32>(_e5536, _e5537, _e5538), _e5703.member_2, _e5703.member_3, _e5703.member_4, _e5703.member_5, _e5703.member_6, _e5703.member_7, _e5703.member_8, _e5703.member_9, _e5703.member_10, _e5703.member_11, _e5703.member_12, _e5703.member_13, _e5703.member_14, _e5703.member_15, _e5703.member_16, _e5703.member_17, _e5703.member_18, _e5703.member_19, _e5703.member_20, _e5703.member_21, _e5703.member_22, _e5703.member_23, _e5703.member_24, _e5703.member_25, _e5703.member_26, _e5703.member_27);
-let _e5769 = type_26(_e5731.member, _e5731.member_1, (vec3<f32>(select(0f, _e5487, _e5520), select(0f, _e5488, _e5520), select(0f, _e5489, _e5520)) + vec3<f32>((_e5569 * _e5667), (_e5570 * _e5667), (_e5571 * _e5667))), _e5731.member_3, _e5731.member_4, _e5731.member_5, _e5731.member_6, _e5731.member_7, _e5731.member_8, _e5731.member_9, _e5731.member_10, _e5731.member_11, _e5731.member_12, _e5731.member_13, _e5731.member_14, _e5731.member_15, _e5731.member_16, _e5731.member_17, _e5731.member_18, _e5731.member_19, _e5731.member_20, _e5731.member_21, _e5731.member_22, _e5731.member_23, _e5731.member_24, _e5731.member_25, _e5731.member_26, _e5731.member_27);
-let _e5797 = type_26(_e5769.member, _e5769.member_1, _e5769.member_2, (vec3<f32>(select(0f, _e5490, _e5520), select(0f, _e5491, _e5520), select(0f, _e5492, _e5520)) + vec3<f32>((_e5587 * _e5667), (_e5588 * _e5667), (_e5589 * _e5667))), _e5769.member_4, _e5769.member_5, _e5769.member_6, _e5769.member_7, _e5769.member_8, _e5769.member_9, _e5769.member_10, _e5769.member_11, _e5769.member_12, _e5769.member_13, _e5769.member_14, _e5769.member_15, _e5769.member_16, _e5769.member_17, _e5769.member_18, _e5769.member_19, _e5769.member_20, _e5769.member_21, _e5769.member_22, _e5769.member_23, _e5769.member_24, _e5769.member_25, _e5769.member_26, _e5769.member_27);
-let _e5825 = type_26(_e5797.member, _e5797.member_1, _e5797.member_2, _e5797.member_3, vec3<f32>(_e5569, _e5570, _e5571), _e5797.member_5, _e5797.member_6, _e5797.member_7, _e5797.member_8, _e5797.member_9, _e5797.member_10, _e5797.member_11, _e5797.member_12, _e5797.member_13, _e5797.member_14, _e5797.member_15, _e5797.member_16, _e5797.member_17, _e5797.member_18, _e5797.member_19, _e5797.member_20, _e5797.member_21, _e5797.member_22, _e5797.member_23, _e5797.member_24, _e5797.member_25, _e5797.member_26, _e5797.member_27);
-let _e5853 = type_26(_e5825.member, _e5825.member_1, _e5825.member_2, _e5825.member_3, _e5825.member_4, vec3<f32>(_e5587, _e5588, _e5589), _e5825.member_6, _e5825.member_7, _e5825.member_8, _e5825.member_9, _e5825.member_10, _e5825.member_11, _e5825.member_12, _e5825.member_13, _e5825.member_14, _e5825.member_15, _e5825.member_16, _e5825.member_17, _e5825.member_18, _e5825.member_19, _e5825.member_20, _e5825.member_21, _e5825.member_22, _e5825.member_23, _e5825.member_24, _e5825.member_25, _e5825.member_26, _e5825.member_27);
-let _e5881 = type_26(_e5853.member, _e5853.member_1, _e5853.member_2, _e5853.member_3, _e5853.member_4, _e5853.member_5, _e5853.member_6, 0i, _e5853.member_8, _e5853.member_9, _e5853.member_10, _e5853.member_11, _e5853.member_12, _e5853.member_13, _e5853.member_14, _e5853.member_15, _e5853.member_16, _e5853.member_17, _e5853.member_18, _e5853.member_19, _e5853.member_20, _e5853.member_21, _e5853.member_22, _e5853.member_23, _e5853.member_24, _e5853.member_25, _e5853.member_26, _e5853.member_27);
-let _e5909 = type_26(_e5881.member, _e5881.member_1, _e5881.member_2, _e5881.member_3, _e5881.member_4, _e5881.member_5, _e5881.member_6, _e5881.member_7, _e5881.member_8, _e5881.member_9, _e5881.member_10, _e5881.member_11, _e5881.member_12, _e5881.member_13, _e5881.member_14, _e5881.member_15, 0i, _e5881.member_17, _e5881.member_18, _e5881.member_19, _e5881.member_20, _e5881.member_21, _e5881.member_22, _e5881.member_23, _e5881.member_24, _e5881.member_25, _e5881.member_26, _e5881.member_27);
-let _e5937 = type_26(_e5909.member, _e5909.member_1, _e5909.member_2, _e5909.member_3, _e5909.member_4, _e5909.member_5, _e5909.member_6, _e5909.member_7, _e5909.member_8, _e5909.member_9, _e5909.member_10, _e5909.member_11, _e5909.member_12, _e5909.member_13, _e5909.member_14, 1f, _e5909.member_16, _e5909.member_17, _e5909.member_18, _e5909.member_19, _e5909.member_20, _e5909.member_21, _e5909.member_22, _e5909.member_23, _e5909.member_24, _e5909.member_25, _e5909.member_26, _e5909.member_27);
-let _e5965 = type_26(_e5937.member, _e5937.member_1, _e5937.member_2, _e5937.member_3, _e5937.member_4, _e5937.member_5, _e5937.member_6, _e5937.member_7, _e5937.member_8, _e5937.member_9, _e5937.member_10, _e5937.member_11, _e5937.member_12, 0f, _e5937.member_14, _e5937.member_15, _e5937.member_16, _e5937.member_17, _e5937.member_18, _e5937.member_19, _e5937.member_20, _e5937.member_21, _e5937.member_22, _e5937.member_23, _e5937.member_24, _e5937.member_25, _e5937.member_26, _e5937.member_27);
-let _e5993 = type_26(_e5965.member, _e5965.member_1, _e5965.member_2, _e5965.member_3, _e5965.member_4, _e5965.member_5, _e5965.member_6, _e5965.member_7, _e5965.member_8, _e5965.member_9, _e5965.member_10, 0i, _e5965.member_12, _e5965.member_13, _e5965.member_14, _e5965.member_15, _e5965.member_16, _e5965.member_17, _e5965.member_18, _e5965.member_19, _e5965.member_20, _e5965.member_21, _e5965.member_22, _e5965.member_23, _e5965.member_24, _e5965.member_25, _e5965.member_26, _e5965.member_27);
-let _e6021 = type_26(_e5993.member, _e5993.member_1, _e5993.member_2, _e5993.member_3, _e5993.member_4, _e5993.member_5, _e5993.member_6, _e5993.member_7, _e5993.member_8, _e5993.member_9, _e5993.member_10, _e5993.member_11, 0i, _e5993.member_13, _e5993.member_14, _e5993.member_15, _e5993.member_16, _e5993.member_17, _e5993.member_18, _e5993.member_19, _e5993.member_20, _e5993.member_21, _e5993.member_22, _e5993.member_23, _e5993.member_24, _e5993.member_25, _e5993.member_26, _e5993.member_27);
+let _e5703 = type_27((vec3<f32>(_e5543, _e5544, _e5545) + vec3<f32>(_e5668, _e5669, _e5670)), _e5446.member_1, _e5446.member_2, _e5446.member_3, _e5446.member_4, _e5446.member_5, _e5446.member_6, _e5446.member_7, _e5446.member_8, _e5446.member_9, _e5446.member_10, _e5446.member_11, _e5446.member_12, _e5446.member_13, _e5446.member_14, _e5446.member_15, _e5446.member_16, _e5446.member_17, _e5446.member_18, _e5446.member_19, _e5446.member_20, _e5446.member_21, _e5446.member_22, _e5446.member_23, _e5446.member_24, _e5446.member_25, _e5446.member_26, _e5446.member_27);
+let _e5731 = type_27(_e5703.member, vec3<f32>(_e5536, _e5537, _e5538), _e5703.member_2, _e5703.member_3, _e5703.member_4, _e5703.member_5, _e5703.member_6, _e5703.member_7, _e5703.member_8, _e5703.member_9, _e5703.member_10, _e5703.member_11, _e5703.member_12, _e5703.member_13, _e5703.member_14, _e5703.member_15, _e5703.member_16, _e5703.member_17, _e5703.member_18, _e5703.member_19, _e5703.member_20, _e5703.member_21, _e5703.member_22, _e5703.member_23, _e5703.member_24, _e5703.member_25, _e5703.member_26, _e5703.member_27);
+let _e5769 = type_27(_e5731.member, _e5731.member_1, (vec3<f32>(select(0f, _e5487, _e5520), select(0f, _e5488, _e5520), select(0f, _e5489, _e5520)) + vec3<f32>((_e5569 * _e5667), (_e5570 * _e5667), (_e5571 * _e5667))), _e5731.member_3, _e5731.member_4, _e5731.member_5, _e5731.member_6, _e5731.member_7, _e5731.member_8, _e5731.member_9, _e5731.member_10, _e5731.member_11, _e5731.member_12, _e5731.member_13, _e5731.member_14, _e5731.member_15, _e5731.member_16, _e5731.member_17, _e5731.member_18, _e5731.member_19, _e5731.member_20, _e5731.member_21, _e5731.member_22, _e5731.member_23, _e5731.member_24, _e5731.member_25, _e5731.member_26, _e5731.member_27);
+let _e5797 = type_27(_e5769.member, _e5769.member_1, _e5769.member_2, (vec3<f32>(select(0f, _e5490, _e5520), select(0f, _e5491, _e5520), select(0f, _e5492, _e5520)) + vec3<f32>((_e5587 * _e5667), (_e5588 * _e5667), (_e5589 * _e5667))), _e5769.member_4, _e5769.member_5, _e5769.member_6, _e5769.member_7, _e5769.member_8, _e5769.member_9, _e5769.member_10, _e5769.member_11, _e5769.member_12, _e5769.member_13, _e5769.member_14, _e5769.member_15, _e5769.member_16, _e5769.member_17, _e5769.member_18, _e5769.member_19, _e5769.member_20, _e5769.member_21, _e5769.member_22, _e5769.member_23, _e5769.member_24, _e5769.member_25, _e5769.member_26, _e5769.member_27);
+let _e5825 = type_27(_e5797.member, _e5797.member_1, _e5797.member_2, _e5797.member_3, vec3<f32>(_e5569, _e5570, _e5571), _e5797.member_5, _e5797.member_6, _e5797.member_7, _e5797.member_8, _e5797.member_9, _e5797.member_10, _e5797.member_11, _e5797.member_12, _e5797.member_13, _e5797.member_14, _e5797.member_15, _e5797.member_16, _e5797.member_17, _e5797.member_18, _e5797.member_19, _e5797.member_20, _e5797.member_21, _e5797.member_22, _e5797.member_23, _e5797.member_24, _e5797.member_25, _e5797.member_26, _e5797.member_27);
+let _e5853 = type_27(_e5825.member, _e5825.member_1, _e5825.member_2, _e5825.member_3, _e5825.member_4, vec3<f32>(_e5587, _e5588, _e5589), _e5825.member_6, _e5825.member_7, _e5825.member_8, _e5825.member_9, _e5825.member_10, _e5825.member_11, _e5825.member_12, _e5825.member_13, _e5825.member_14, _e5825.member_15, _e5825.member_16, _e5825.member_17, _e5825.member_18, _e5825.member_19, _e5825.member_20, _e5825.member_21, _e5825.member_22, _e5825.member_23, _e5825.member_24, _e5825.member_25, _e5825.member_26, _e5825.member_27);
+let _e5881 = type_27(_e5853.member, _e5853.member_1, _e5853.member_2, _e5853.member_3, _e5853.member_4, _e5853.member_5, _e5853.member_6, 0i, _e5853.member_8, _e5853.member_9, _e5853.member_10, _e5853.member_11, _e5853.member_12, _e5853.member_13, _e5853.member_14, _e5853.member_15, _e5853.member_16, _e5853.member_17, _e5853.member_18, _e5853.member_19, _e5853.member_20, _e5853.member_21, _e5853.member_22, _e5853.member_23, _e5853.member_24, _e5853.member_25, _e5853.member_26, _e5853.member_27);
+let _e5909 = type_27(_e5881.member, _e5881.member_1, _e5881.member_2, _e5881.member_3, _e5881.member_4, _e5881.member_5, _e5881.member_6, _e5881.member_7, _e5881.member_8, _e5881.member_9, _e5881.member_10, _e5881.member_11, _e5881.member_12, _e5881.member_13, _e5881.member_14, _e5881.member_15, 0i, _e5881.member_17, _e5881.member_18, _e5881.member_19, _e5881.member_20, _e5881.member_21, _e5881.member_22, _e5881.member_23, _e5881.member_24, _e5881.member_25, _e5881.member_26, _e5881.member_27);
+let _e5937 = type_27(_e5909.member, _e5909.member_1, _e5909.member_2, _e5909.member_3, _e5909.member_4, _e5909.member_5, _e5909.member_6, _e5909.member_7, _e5909.member_8, _e5909.member_9, _e5909.member_10, _e5909.member_11, _e5909.member_12, _e5909.member_13, _e5909.member_14, 1f, _e5909.member_16, _e5909.member_17, _e5909.member_18, _e5909.member_19, _e5909.member_20, _e5909.member_21, _e5909.member_22, _e5909.member_23, _e5909.member_24, _e5909.member_25, _e5909.member_26, _e5909.member_27);
+let _e5965 = type_27(_e5937.member, _e5937.member_1, _e5937.member_2, _e5937.member_3, _e5937.member_4, _e5937.member_5, _e5937.member_6, _e5937.member_7, _e5937.member_8, _e5937.member_9, _e5937.member_10, _e5937.member_11, _e5937.member_12, 0f, _e5937.member_14, _e5937.member_15, _e5937.member_16, _e5937.member_17, _e5937.member_18, _e5937.member_19, _e5937.member_20, _e5937.member_21, _e5937.member_22, _e5937.member_23, _e5937.member_24, _e5937.member_25, _e5937.member_26, _e5937.member_27);
+let _e5993 = type_27(_e5965.member, _e5965.member_1, _e5965.member_2, _e5965.member_3, _e5965.member_4, _e5965.member_5, _e5965.member_6, _e5965.member_7, _e5965.member_8, _e5965.member_9, _e5965.member_10, 0i, _e5965.member_12, _e5965.member_13, _e5965.member_14, _e5965.member_15, _e5965.member_16, _e5965.member_17, _e5965.member_18, _e5965.member_19, _e5965.member_20, _e5965.member_21, _e5965.member_22, _e5965.member_23, _e5965.member_24, _e5965.member_25, _e5965.member_26, _e5965.member_27);
+let _e6021 = type_27(_e5993.member, _e5993.member_1, _e5993.member_2, _e5993.member_3, _e5993.member_4, _e5993.member_5, _e5993.member_6, _e5993.member_7, _e5993.member_8, _e5993.member_9, _e5993.member_10, _e5993.member_11, 0i, _e5993.member_13, _e5993.member_14, _e5993.member_15, _e5993.member_16, _e5993.member_17, _e5993.member_18, _e5993.member_19, _e5993.member_20, _e5993.member_21, _e5993.member_22, _e5993.member_23, _e5993.member_24, _e5993.member_25, _e5993.member_26, _e5993.member_27);
 let _e6027 = ((((_e5016.member.member * _e5671) + (_e5016.member.member_1 * _e5672)) + (_e5016.member.member_2 * _e5673)) + _e5016.member_1);
 let _e6033 = -((((_e5016.member.member * _e5536) + (_e5016.member.member_1 * _e5537)) + (_e5016.member.member_2 * _e5538)));
 let _e6035 = (_e6033 > 1e-9f);
@@ -2803,9 +2815,9 @@ let _e6056 = (_e6054 > 1e-9f);
 let _e6060 = ((_e6048 / select(1e-9f, _e6054, _e6056)) - 0.015625f);
 let _e6063 = select(1e30f, select(0f, _e6060, (_e6060 > 0f)), ((_e6048 > 0f) && _e6056));
 let _e6067 = (_e6063 < _e6042);
-let _e6098 = type_26(_e6021.member, _e6021.member_1, _e6021.member_2, _e6021.member_3, _e6021.member_4, _e6021.member_5, _e6021.member_6, _e6021.member_7, 0i, _e6021.member_9, _e6021.member_10, _e6021.member_11, _e6021.member_12, _e6021.member_13, _e6021.member_14, _e6021.member_15, _e6021.member_16, _e6021.member_17, _e6021.member_18, _e6021.member_19, _e6021.member_20, _e6021.member_21, _e6021.member_22, _e6021.member_23, _e6021.member_24, _e6021.member_25, _e6021.member_26, _e6021.member_27);
-let _e6126 = type_26(_e6098.member, _e6098.member_1, _e6098.member_2, _e6098.member_3, _e6098.member_4, _e6098.member_5, _e6098.member_6, _e6098.member_7, _e6098.member_8, select(select(-2i, -3i, _e6067), -1i, ((_e6042 >= 1e30f) && (_e6063 >= 1e30f))), _e6098.member_10, _e6098.member_11, _e6098.member_12, _e6098.member_13, _e6098.member_14, _e6098.member_15, _e6098.member_16, _e6098.member_17, _e6098.member_18, _e6098.member_19, _e6098.member_20, _e6098.member_21, _e6098.member_22, _e6098.member_23, _e6098.member_24, _e6098.member_25, _e6098.member_26, _e6098.member_27);
-let _e6154 = type_26(_e6126.member, _e6126.member_1, _e6126.member_2, _e6126.member_3, _e6126.member_4, _e6126.member_5, _e6126.member_6, _e6126.member_7, _e6126.member_8, _e6126.member_9, select(_e6042, _e6063, _e6067), _e6126.member_11, _e6126.member_12, _e6126.member_13, _e6126.member_14, _e6126.member_15, _e6126.member_16, _e6126.member_17, _e6126.member_18, _e6126.member_19, _e6126.member_20, _e6126.member_21, _e6126.member_22, _e6126.member_23, _e6126.member_24, _e6126.member_25, _e6126.member_26, _e6126.member_27);
+let _e6098 = type_27(_e6021.member, _e6021.member_1, _e6021.member_2, _e6021.member_3, _e6021.member_4, _e6021.member_5, _e6021.member_6, _e6021.member_7, 0i, _e6021.member_9, _e6021.member_10, _e6021.member_11, _e6021.member_12, _e6021.member_13, _e6021.member_14, _e6021.member_15, _e6021.member_16, _e6021.member_17, _e6021.member_18, _e6021.member_19, _e6021.member_20, _e6021.member_21, _e6021.member_22, _e6021.member_23, _e6021.member_24, _e6021.member_25, _e6021.member_26, _e6021.member_27);
+let _e6126 = type_27(_e6098.member, _e6098.member_1, _e6098.member_2, _e6098.member_3, _e6098.member_4, _e6098.member_5, _e6098.member_6, _e6098.member_7, _e6098.member_8, select(select(-2i, -3i, _e6067), -1i, ((_e6042 >= 1e30f) && (_e6063 >= 1e30f))), _e6098.member_10, _e6098.member_11, _e6098.member_12, _e6098.member_13, _e6098.member_14, _e6098.member_15, _e6098.member_16, _e6098.member_17, _e6098.member_18, _e6098.member_19, _e6098.member_20, _e6098.member_21, _e6098.member_22, _e6098.member_23, _e6098.member_24, _e6098.member_25, _e6098.member_26, _e6098.member_27);
+let _e6154 = type_27(_e6126.member, _e6126.member_1, _e6126.member_2, _e6126.member_3, _e6126.member_4, _e6126.member_5, _e6126.member_6, _e6126.member_7, _e6126.member_8, _e6126.member_9, select(_e6042, _e6063, _e6067), _e6126.member_11, _e6126.member_12, _e6126.member_13, _e6126.member_14, _e6126.member_15, _e6126.member_16, _e6126.member_17, _e6126.member_18, _e6126.member_19, _e6126.member_20, _e6126.member_21, _e6126.member_22, _e6126.member_23, _e6126.member_24, _e6126.member_25, _e6126.member_26, _e6126.member_27);
 let _e6158 = global_5.member.member_13.member_4;
 let _e6165 = global_5.member.member_13.member_5;
 let _e6170 = ((_e6158.member - _e5543) * _e5598);
@@ -2831,14 +2843,14 @@ let _e6206 = select(_e5662, _e6202, _e6205);
 let _e6208 = (select(_e5662, _e6204, _e6205) - _e6206);
 let _e6212 = global_5.member.member_13.member_6;
 if (_e6212 == 0u) {
-phi_12154_ = _e6208;
+phi_12155_ = _e6208;
 } else {
 let _e6215 = (_e6208 / f32(_e6212));
-phi_11429_ = 0u;
-phi_11432_ = 0f;
+phi_11430_ = 0u;
+phi_11433_ = 0f;
 loop {
-let _e6217 = phi_11429_;
-let _e6219 = phi_11432_;
+let _e6217 = phi_11430_;
+let _e6219 = phi_11433_;
 local_70 = _e6219;
 let _e6222 = ((_e6217 < _e6212) && (_e6208 > 0f));
 if _e6222 {
@@ -2890,29 +2902,29 @@ local_2 = (_e6263 - f32(_e6300));
 let _e6337 = (_e6300 + 1i);
 let _e6339 = select(_e6337, 0i, (_e6337 < 0i));
 if (_e6339 >= _e6242) {
-phi_11573_ = (_e6242 - 1i);
+phi_11574_ = (_e6242 - 1i);
 } else {
-phi_11573_ = _e6339;
+phi_11574_ = _e6339;
 }
-let _e6343 = phi_11573_;
+let _e6343 = phi_11574_;
 local_3 = (_e6343 - _e6300);
 let _e6345 = (_e6315 + 1i);
 let _e6347 = select(_e6345, 0i, (_e6345 < 0i));
 if (_e6347 >= _e6247) {
-phi_11586_ = (_e6247 - 1i);
+phi_11587_ = (_e6247 - 1i);
 } else {
-phi_11586_ = _e6347;
+phi_11587_ = _e6347;
 }
-let _e6351 = phi_11586_;
+let _e6351 = phi_11587_;
 let _e6353 = ((_e6351 - _e6315) * _e6242);
 let _e6354 = (_e6330 + 1i);
 let _e6356 = select(_e6354, 0i, (_e6354 < 0i));
 if (_e6356 >= _e6252) {
-phi_11600_ = (_e6252 - 1i);
+phi_11601_ = (_e6252 - 1i);
 } else {
-phi_11600_ = _e6356;
+phi_11601_ = _e6356;
 }
-let _e6360 = phi_11600_;
+let _e6360 = phi_11601_;
 let _e6367 = global_5.member.member_13.member_10;
 let _e6368 = bitcast<i32>(_e6367);
 let _e6373 = ((_e6368 + (((_e6330 * _e6247) + _e6315) * _e6242)) + _e6300);
@@ -2980,29 +2992,29 @@ local = (_e6490 - f32(_e6521));
 let _e6558 = (_e6521 + 1i);
 let _e6560 = select(_e6558, 0i, (_e6558 < 0i));
 if (_e6560 >= _e6242) {
-phi_11922_ = (_e6242 - 1i);
+phi_11923_ = (_e6242 - 1i);
 } else {
-phi_11922_ = _e6560;
+phi_11923_ = _e6560;
 }
-let _e6564 = phi_11922_;
+let _e6564 = phi_11923_;
 local_1 = (_e6564 - _e6521);
 let _e6566 = (_e6536 + 1i);
 let _e6568 = select(_e6566, 0i, (_e6566 < 0i));
 if (_e6568 >= _e6247) {
-phi_11935_ = (_e6247 - 1i);
+phi_11936_ = (_e6247 - 1i);
 } else {
-phi_11935_ = _e6568;
+phi_11936_ = _e6568;
 }
-let _e6572 = phi_11935_;
+let _e6572 = phi_11936_;
 let _e6574 = ((_e6572 - _e6536) * _e6242);
 let _e6575 = (_e6551 + 1i);
 let _e6577 = select(_e6575, 0i, (_e6575 < 0i));
 if (_e6577 >= _e6252) {
-phi_11949_ = (_e6252 - 1i);
+phi_11950_ = (_e6252 - 1i);
 } else {
-phi_11949_ = _e6577;
+phi_11950_ = _e6577;
 }
-let _e6581 = phi_11949_;
+let _e6581 = phi_11950_;
 let _e6589 = ((_e6368 + (((_e6551 * _e6247) + _e6536) * _e6242)) + _e6521);
 let _e6591 = select(_e2002, _e6589, (_e6589 < _e2002));
 let _e6596 = global_3.member[bitcast<u32>(select(0i, _e6591, (_e6591 > 0i)))];
@@ -3040,25 +3052,25 @@ let _e6675 = (_e6663 + _e6674);
 let _e6677 = select(_e2002, _e6675, (_e6675 < _e2002));
 let _e6682 = global_3.member[bitcast<u32>(select(0i, _e6677, (_e6677 > 0i)))];
 let _e6683 = local;
-phi_11430_ = (_e6217 + 1u);
-phi_11433_ = (_e6219 + ((0.5f * (((((((_e6380 * (1f - _e6381)) + (_e6392 * _e6393)) * _e6396) + (((_e6405 * (1f - _e6406)) + (_e6417 * _e6418)) * _e6334)) * (1f - _e6336)) + (((((_e6430 * (1f - _e6431)) + (_e6442 * _e6443)) * _e6396) + (((_e6454 * (1f - _e6455)) + (_e6466 * _e6467)) * _e6334)) * _e6336)) + ((((((_e6596 * (1f - _e6597)) + (_e6608 * _e6609)) * _e6612) + (((_e6621 * (1f - _e6622)) + (_e6633 * _e6634)) * _e6555)) * (1f - _e6557)) + (((((_e6646 * (1f - _e6647)) + (_e6658 * _e6659)) * _e6612) + (((_e6670 * (1f - _e6671)) + (_e6682 * _e6683)) * _e6555)) * _e6557)))) * _e6229));
+phi_11431_ = (_e6217 + 1u);
+phi_11434_ = (_e6219 + ((0.5f * (((((((_e6380 * (1f - _e6381)) + (_e6392 * _e6393)) * _e6396) + (((_e6405 * (1f - _e6406)) + (_e6417 * _e6418)) * _e6334)) * (1f - _e6336)) + (((((_e6430 * (1f - _e6431)) + (_e6442 * _e6443)) * _e6396) + (((_e6454 * (1f - _e6455)) + (_e6466 * _e6467)) * _e6334)) * _e6336)) + ((((((_e6596 * (1f - _e6597)) + (_e6608 * _e6609)) * _e6612) + (((_e6621 * (1f - _e6622)) + (_e6633 * _e6634)) * _e6555)) * (1f - _e6557)) + (((((_e6646 * (1f - _e6647)) + (_e6658 * _e6659)) * _e6612) + (((_e6670 * (1f - _e6671)) + (_e6682 * _e6683)) * _e6555)) * _e6557)))) * _e6229));
 } else {
-phi_11430_ = u32();
-phi_11433_ = f32();
+phi_11431_ = u32();
+phi_11434_ = f32();
 }
-let _e6698 = phi_11430_;
-let _e6700 = phi_11433_;
+let _e6698 = phi_11431_;
+let _e6700 = phi_11434_;
 continue;
 continuing {
-phi_11429_ = _e6698;
-phi_11432_ = _e6700;
+phi_11430_ = _e6698;
+phi_11433_ = _e6700;
 break if !(_e6222);
 }
 }
 let _e10456 = local_70;
-phi_12154_ = _e10456;
+phi_12155_ = _e10456;
 }
-let _e6703 = phi_12154_;
+let _e6703 = phi_12155_;
 let _e6707 = global_5.member.member_13.member;
 let _e6712 = -((_e6707.member * _e6703));
 let _e6714 = select(-87f, _e6712, (_e6712 > -87f));
@@ -3094,71 +3106,71 @@ let _e6857 = (1f / 3f);
 let _e6859 = (1f * ((1f + (_e6738 * (1f + (_e6738 * (0.5f + (_e6738 * (0.16666667f + (_e6738 * (0.041666668f + (_e6738 * (0.008333334f + (_e6738 * (0.001388889f + (_e6738 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6733 + 127i)) << bitcast<u32>(23i)))));
 let _e6860 = (1f * ((1f + (_e6786 * (1f + (_e6786 * (0.5f + (_e6786 * (0.16666667f + (_e6786 * (0.041666668f + (_e6786 * (0.008333334f + (_e6786 * (0.001388889f + (_e6786 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6781 + 127i)) << bitcast<u32>(23i)))));
 let _e6861 = (1f * ((1f + (_e6834 * (1f + (_e6834 * (0.5f + (_e6834 * (0.16666667f + (_e6834 * (0.041666668f + (_e6834 * (0.008333334f + (_e6834 * (0.001388889f + (_e6834 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6829 + 127i)) << bitcast<u32>(23i)))));
-let _e6890 = type_26(_e6154.member, _e6154.member_1, _e6154.member_2, _e6154.member_3, _e6154.member_4, _e6154.member_5, vec3<f32>(_e6859, _e6860, _e6861), _e6154.member_7, _e6154.member_8, _e6154.member_9, _e6154.member_10, _e6154.member_11, _e6154.member_12, _e6154.member_13, _e6154.member_14, _e6154.member_15, _e6154.member_16, _e6154.member_17, _e6154.member_18, _e6154.member_19, _e6154.member_20, _e6154.member_21, _e6154.member_22, _e6154.member_23, _e6154.member_24, _e6154.member_25, _e6154.member_26, _e6154.member_27);
+let _e6890 = type_27(_e6154.member, _e6154.member_1, _e6154.member_2, _e6154.member_3, _e6154.member_4, _e6154.member_5, vec3<f32>(_e6859, _e6860, _e6861), _e6154.member_7, _e6154.member_8, _e6154.member_9, _e6154.member_10, _e6154.member_11, _e6154.member_12, _e6154.member_13, _e6154.member_14, _e6154.member_15, _e6154.member_16, _e6154.member_17, _e6154.member_18, _e6154.member_19, _e6154.member_20, _e6154.member_21, _e6154.member_22, _e6154.member_23, _e6154.member_24, _e6154.member_25, _e6154.member_26, _e6154.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e5446.member_20) {
-phi_12382_ = ((((1f + 1f) + 1f) * _e6857) - (((_e6859 + _e6860) + _e6861) * _e6857));
+phi_12383_ = ((((1f + 1f) + 1f) * _e6857) - (((_e6859 + _e6860) + _e6861) * _e6857));
 } else {
-phi_12382_ = 0f;
+phi_12383_ = 0f;
 }
-let _e6900 = phi_12382_;
-let _e6930 = type_26(_e6890.member, _e6890.member_1, _e6890.member_2, _e6890.member_3, _e6890.member_4, _e6890.member_5, _e6890.member_6, _e6890.member_7, _e6890.member_8, _e6890.member_9, _e6890.member_10, _e6890.member_11, _e6890.member_12, _e6890.member_13, _e6890.member_14, _e6890.member_15, _e6890.member_16, _e6890.member_17, _e6890.member_18, _e6890.member_19, _e6890.member_20, _e6890.member_21, _e6890.member_22, _e6890.member_23, _e6890.member_24, _e6890.member_25, (_e5446.member_26 + _e6900), _e6890.member_27);
+let _e6900 = phi_12383_;
+let _e6930 = type_27(_e6890.member, _e6890.member_1, _e6890.member_2, _e6890.member_3, _e6890.member_4, _e6890.member_5, _e6890.member_6, _e6890.member_7, _e6890.member_8, _e6890.member_9, _e6890.member_10, _e6890.member_11, _e6890.member_12, _e6890.member_13, _e6890.member_14, _e6890.member_15, _e6890.member_16, _e6890.member_17, _e6890.member_18, _e6890.member_19, _e6890.member_20, _e6890.member_21, _e6890.member_22, _e6890.member_23, _e6890.member_24, _e6890.member_25, (_e5446.member_26 + _e6900), _e6890.member_27);
 if _e5666 {
-let _e6958 = type_26(_e6930.member, _e6930.member_1, _e6930.member_2, _e6930.member_3, _e6930.member_4, _e6930.member_5, _e6930.member_6, _e6930.member_7, _e1891, _e6930.member_9, _e6930.member_10, _e6930.member_11, _e6930.member_12, _e6930.member_13, _e6930.member_14, _e6930.member_15, _e6930.member_16, _e6930.member_17, _e6930.member_18, _e6930.member_19, _e6930.member_20, _e6930.member_21, _e6930.member_22, _e6930.member_23, _e6930.member_24, _e6930.member_25, _e6930.member_26, _e6930.member_27);
-phi_12409_ = type_26(_e6958.member, _e6958.member_1, _e6958.member_2, _e6958.member_3, _e6958.member_4, _e6958.member_5, _e6958.member_6, _e6958.member_7, _e6958.member_8, _e6958.member_9, _e6958.member_10, _e6958.member_11, _e6958.member_12, _e6958.member_13, _e6958.member_14, 3f, _e6958.member_16, _e6958.member_17, _e6958.member_18, _e6958.member_19, _e6958.member_20, _e6958.member_21, _e6958.member_22, _e6958.member_23, _e6958.member_24, _e6958.member_25, _e6958.member_26, _e6958.member_27);
+let _e6958 = type_27(_e6930.member, _e6930.member_1, _e6930.member_2, _e6930.member_3, _e6930.member_4, _e6930.member_5, _e6930.member_6, _e6930.member_7, _e1891, _e6930.member_9, _e6930.member_10, _e6930.member_11, _e6930.member_12, _e6930.member_13, _e6930.member_14, _e6930.member_15, _e6930.member_16, _e6930.member_17, _e6930.member_18, _e6930.member_19, _e6930.member_20, _e6930.member_21, _e6930.member_22, _e6930.member_23, _e6930.member_24, _e6930.member_25, _e6930.member_26, _e6930.member_27);
+phi_12410_ = type_27(_e6958.member, _e6958.member_1, _e6958.member_2, _e6958.member_3, _e6958.member_4, _e6958.member_5, _e6958.member_6, _e6958.member_7, _e6958.member_8, _e6958.member_9, _e6958.member_10, _e6958.member_11, _e6958.member_12, _e6958.member_13, _e6958.member_14, 3f, _e6958.member_16, _e6958.member_17, _e6958.member_18, _e6958.member_19, _e6958.member_20, _e6958.member_21, _e6958.member_22, _e6958.member_23, _e6958.member_24, _e6958.member_25, _e6958.member_26, _e6958.member_27);
 } else {
-phi_12409_ = _e6930;
+phi_12410_ = _e6930;
 }
-let _e6988 = phi_12409_;
-phi_12410_ = _e6988;
+let _e6988 = phi_12410_;
+phi_12411_ = _e6988;
 }
-let _e7018 = phi_12410_;
-phi_12411_ = _e7018;
+let _e7018 = phi_12411_;
+phi_12412_ = _e7018;
 } else {
-phi_12411_ = _e5170;
+phi_12412_ = _e5170;
 }
-let _e7020 = phi_12411_;
-phi_12412_ = type_26();
-phi_12413_ = _e7020;
+let _e7020 = phi_12412_;
+phi_12413_ = type_27();
+phi_12414_ = _e7020;
 }
-let _e7298 = phi_12412_;
-let _e7300 = phi_12413_;
-phi_12414_ = _e7298;
-phi_12415_ = _e7300;
-phi_12416_ = _e3125;
+let _e7298 = phi_12413_;
+let _e7300 = phi_12414_;
+phi_12415_ = _e7298;
+phi_12416_ = _e7300;
+phi_12417_ = _e3125;
 }
-let _e9200 = phi_12414_;
-let _e9202 = phi_12415_;
-let _e9204 = phi_12416_;
+let _e9200 = phi_12415_;
+let _e9202 = phi_12416_;
+let _e9204 = phi_12417_;
 if _e9204 {
-phi_12420_ = _e9200;
+phi_12421_ = _e9200;
 } else {
-phi_12420_ = _e9202;
+phi_12421_ = _e9202;
 }
-let _e9206 = phi_12420_;
-phi_12421_ = _e9206;
+let _e9206 = phi_12421_;
+phi_12422_ = _e9206;
 }
-let _e9266 = phi_12421_;
-phi_12423_ = _e9266;
-phi_12424_ = select(false, _e1929, _e1972);
+let _e9266 = phi_12422_;
+phi_12424_ = _e9266;
+phi_12425_ = select(false, _e1929, _e1972);
 }
-let _e10122 = phi_12423_;
-let _e10124 = phi_12424_;
-phi_3216_ = _e10122;
-phi_3219_ = (_e1927 + 1i);
-phi_3221_ = _e10124;
+let _e10122 = phi_12424_;
+let _e10124 = phi_12425_;
+phi_3217_ = _e10122;
+phi_3220_ = (_e1927 + 1i);
+phi_3222_ = _e10124;
 } else {
-phi_3216_ = type_26();
-phi_3219_ = i32();
-phi_3221_ = bool();
+phi_3217_ = type_27();
+phi_3220_ = i32();
+phi_3222_ = bool();
 }
-let _e10126 = phi_3216_;
-let _e10128 = phi_3219_;
-let _e10130 = phi_3221_;
+let _e10126 = phi_3217_;
+let _e10128 = phi_3220_;
+let _e10130 = phi_3222_;
 continue;
 continuing {
-phi_3215_ = _e10126;
-phi_3218_ = _e10128;
-phi_3220_ = _e10130;
+phi_3216_ = _e10126;
+phi_3219_ = _e10128;
+phi_3221_ = _e10130;
 break if !(_e1933);
 }
 }

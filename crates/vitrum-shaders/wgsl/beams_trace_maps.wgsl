@@ -57,14 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
-struct type_13 {
-member: array<f32>,
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_17 {
+struct type_13 {
 member: u32,
 member_1: u32,
 }
-struct type_18 {
+struct type_15 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -75,7 +87,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -94,7 +106,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_20 {
+struct type_21 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -108,7 +120,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_21 {
+struct type_22 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -120,15 +132,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
-member_1: type_17,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -138,20 +150,20 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_18,
-member_12: type_19,
-member_13: type_20,
+member_11: type_19,
+member_12: type_20,
+member_13: type_21,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_21,
-member_19: type_22,
+member_18: type_22,
+member_19: type_23,
 }
-struct type_24 {
-member: type_23,
+struct type_25 {
+member: type_24,
 }
-struct type_26 {
+struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -181,7 +193,7 @@ member_25: f32,
 member_26: f32,
 member_27: f32,
 }
-struct type_27 {
+struct type_28 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -189,7 +201,7 @@ member_3: vec3<f32>,
 member_4: vec3<f32>,
 member_5: i32,
 }
-struct type_28 {
+struct type_29 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -197,15 +209,15 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(3)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_2: type_13;
+var<storage, read_write> global_2: type_15;
 @group(0) @binding(0)
-var<storage> global_3: type_24;
+var<storage> global_3: type_25;
 @group(0) @binding(1)
-var<storage> global_4: type_13;
+var<storage> global_4: type_15;
 @group(0) @binding(2)
-var<storage> global_5: type_13;
+var<storage> global_5: type_15;
 var<private> global_6: array<f32, 42> = array<f32, 42>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
 fn function_() {
 var local: f32;
@@ -220,139 +232,139 @@ var local_8: f32;
 var local_9: i32;
 var local_10: f32;
 var local_11: i32;
-var phi_589_: f32;
-var phi_1091_: u32;
-var phi_1094_: f32;
-var phi_1229_: i32;
-var phi_1242_: i32;
-var phi_1256_: i32;
-var phi_1572_: i32;
-var phi_1585_: i32;
-var phi_1599_: i32;
+var phi_590_: f32;
 var phi_1092_: u32;
 var phi_1095_: f32;
-var phi_1804_: f32;
-var phi_2032_: f32;
-var phi_2271_: u32;
-var phi_2274_: f32;
-var phi_2415_: i32;
-var phi_2428_: i32;
-var phi_2442_: i32;
-var phi_2764_: i32;
-var phi_2777_: i32;
-var phi_2791_: i32;
+var phi_1230_: i32;
+var phi_1243_: i32;
+var phi_1257_: i32;
+var phi_1573_: i32;
+var phi_1586_: i32;
+var phi_1600_: i32;
+var phi_1093_: u32;
+var phi_1096_: f32;
+var phi_1805_: f32;
+var phi_2033_: f32;
 var phi_2272_: u32;
 var phi_2275_: f32;
-var phi_2996_: f32;
-var phi_3229_: f32;
-var phi_3261_: f32;
-var phi_3947_: vec3<f32>;
-var phi_3948_: type_26;
-var phi_3949_: vec3<f32>;
-var phi_3952_: type_26;
-var phi_3955_: i32;
-var phi_4356_: f32;
-var phi_4408_: f32;
-var phi_4704_: type_27;
-var phi_5202_: f32;
-var phi_5254_: f32;
-var phi_5550_: type_27;
-var phi_5554_: i32;
-var phi_5557_: type_28;
-var phi_5567_: vec3<f32>;
-var phi_5570_: vec3<f32>;
-var phi_5572_: i32;
-var phi_5574_: f32;
-var phi_5952_: f32;
-var phi_6004_: f32;
-var phi_6300_: type_27;
-var phi_6468_: vec3<f32>;
-var phi_6469_: vec3<f32>;
-var phi_6470_: f32;
+var phi_2416_: i32;
+var phi_2429_: i32;
+var phi_2443_: i32;
+var phi_2765_: i32;
+var phi_2778_: i32;
+var phi_2792_: i32;
+var phi_2273_: u32;
+var phi_2276_: f32;
+var phi_2997_: f32;
+var phi_3230_: f32;
+var phi_3262_: f32;
+var phi_3948_: vec3<f32>;
+var phi_3949_: type_27;
+var phi_3950_: vec3<f32>;
+var phi_3953_: type_27;
+var phi_3956_: i32;
+var phi_4357_: f32;
+var phi_4409_: f32;
+var phi_4705_: type_28;
+var phi_5203_: f32;
+var phi_5255_: f32;
+var phi_5551_: type_28;
+var phi_5555_: i32;
+var phi_5558_: type_29;
 var phi_5568_: vec3<f32>;
 var phi_5571_: vec3<f32>;
 var phi_5573_: i32;
 var phi_5575_: f32;
+var phi_5953_: f32;
+var phi_6005_: f32;
+var phi_6301_: type_28;
+var phi_6469_: vec3<f32>;
+var phi_6470_: vec3<f32>;
+var phi_6471_: f32;
+var phi_5569_: vec3<f32>;
+var phi_5572_: vec3<f32>;
+var phi_5574_: i32;
+var phi_5576_: f32;
 var local_12: f32;
 var local_13: f32;
 var local_14: vec3<f32>;
 var local_15: vec3<f32>;
 var local_16: vec3<f32>;
 var local_17: vec3<f32>;
-var phi_6490_: type_28;
-var phi_5555_: i32;
-var phi_5558_: type_28;
-var local_18: type_28;
-var local_19: type_28;
-var local_20: type_28;
-var local_21: type_28;
-var phi_6661_: u32;
-var phi_6664_: f32;
-var phi_6805_: i32;
-var phi_6818_: i32;
-var phi_6832_: i32;
-var phi_7154_: i32;
-var phi_7167_: i32;
-var phi_7181_: i32;
+var phi_6491_: type_29;
+var phi_5556_: i32;
+var phi_5559_: type_29;
+var local_18: type_29;
+var local_19: type_29;
+var local_20: type_29;
+var local_21: type_29;
 var phi_6662_: u32;
 var phi_6665_: f32;
-var phi_7386_: f32;
-var phi_7609_: type_26;
-var phi_7610_: type_26;
-var phi_7611_: type_26;
-var phi_3953_: type_26;
-var phi_3956_: i32;
-var local_22: type_26;
-var local_23: type_26;
-var local_24: type_26;
-var local_25: type_26;
-var local_26: type_26;
-var local_27: type_26;
-var local_28: type_26;
-var local_29: type_26;
-var local_30: type_26;
-var local_31: type_26;
-var local_32: type_26;
-var local_33: type_26;
-var local_34: type_26;
-var local_35: type_26;
-var local_36: type_26;
-var local_37: type_26;
-var local_38: type_26;
-var local_39: type_26;
-var local_40: type_26;
-var local_41: type_26;
-var local_42: type_26;
-var local_43: type_26;
-var local_44: type_26;
-var local_45: type_26;
-var local_46: type_26;
-var local_47: type_26;
-var local_48: type_26;
-var local_49: type_26;
-var local_50: type_26;
-var local_51: type_26;
-var local_52: type_26;
-var local_53: type_26;
-var local_54: type_26;
-var local_55: type_26;
-var local_56: type_26;
-var local_57: type_26;
-var local_58: type_26;
-var local_59: type_26;
-var local_60: type_26;
-var local_61: type_26;
-var local_62: type_26;
-var local_63: type_26;
-var phi_7668_: array<f32, 42>;
+var phi_6806_: i32;
+var phi_6819_: i32;
+var phi_6833_: i32;
+var phi_7155_: i32;
+var phi_7168_: i32;
+var phi_7182_: i32;
+var phi_6663_: u32;
+var phi_6666_: f32;
+var phi_7387_: f32;
+var phi_7610_: type_27;
+var phi_7611_: type_27;
+var phi_7612_: type_27;
+var phi_3954_: type_27;
+var phi_3957_: i32;
+var local_22: type_27;
+var local_23: type_27;
+var local_24: type_27;
+var local_25: type_27;
+var local_26: type_27;
+var local_27: type_27;
+var local_28: type_27;
+var local_29: type_27;
+var local_30: type_27;
+var local_31: type_27;
+var local_32: type_27;
+var local_33: type_27;
+var local_34: type_27;
+var local_35: type_27;
+var local_36: type_27;
+var local_37: type_27;
+var local_38: type_27;
+var local_39: type_27;
+var local_40: type_27;
+var local_41: type_27;
+var local_42: type_27;
+var local_43: type_27;
+var local_44: type_27;
+var local_45: type_27;
+var local_46: type_27;
+var local_47: type_27;
+var local_48: type_27;
+var local_49: type_27;
+var local_50: type_27;
+var local_51: type_27;
+var local_52: type_27;
+var local_53: type_27;
+var local_54: type_27;
+var local_55: type_27;
+var local_56: type_27;
+var local_57: type_27;
+var local_58: type_27;
+var local_59: type_27;
+var local_60: type_27;
+var local_61: type_27;
+var local_62: type_27;
+var local_63: type_27;
 var phi_7669_: array<f32, 42>;
 var phi_7670_: array<f32, 42>;
 var phi_7671_: array<f32, 42>;
-var phi_7672_: bool;
-var phi_7676_: array<f32, 42>;
+var phi_7672_: array<f32, 42>;
+var phi_7673_: bool;
 var phi_7677_: array<f32, 42>;
-var phi_7678_: bool;
-var phi_7682_: array<f32, 42>;
+var phi_7678_: array<f32, 42>;
+var phi_7679_: bool;
+var phi_7683_: array<f32, 42>;
 var local_64: f32;
 var local_65: f32;
 var local_66: f32;
@@ -434,11 +446,11 @@ let _e362 = select(_e360, _e358, (_e358 < _e360));
 let _e364 = select(_e346, _e344, (_e344 > _e346));
 let _e366 = select(_e364, _e362, (_e362 < _e364));
 if _e233 {
-phi_589_ = -(1e30f);
+phi_590_ = -(1e30f);
 } else {
-phi_589_ = 0f;
+phi_590_ = 0f;
 }
-let _e369 = phi_589_;
+let _e369 = phi_590_;
 let _e371 = select(_e369, _e356, (_e356 > _e369));
 let _e374 = ((4i * _e153) + _e156);
 let _e376 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
@@ -514,14 +526,14 @@ let _e614 = global_6[39u];
 let _e616 = global_6[40u];
 let _e618 = global_6[41u];
 if (_e366 <= _e371) {
-phi_7676_ = array<f32, 42>(_e450, _e452, _e454, _e456, _e458, _e460, _e462, _e464, _e466, _e469, _e471, _e473, _e476, _e478, _e480, _e483, _e485, _e487, _e490, _e492, _e494, f32(_e503), f32(_e512), f32(_e521), _e523, f32(_e532), f32(_e541), _e543, _e545, 3f, f32(_e554), f32(_e563), f32(_e572), f32(_e581), f32(_e590), f32(_e599), f32(select(0i, select(select(i32(_e601), i32(-2147483648), (_e601 < -2147483600f)), 2147483647i, (_e601 > 2147483500f)), (_e601 == _e601))), _e610, _e612, _e614, _e616, _e618);
-phi_7677_ = array<f32, 42>();
-phi_7678_ = true;
+phi_7677_ = array<f32, 42>(_e450, _e452, _e454, _e456, _e458, _e460, _e462, _e464, _e466, _e469, _e471, _e473, _e476, _e478, _e480, _e483, _e485, _e487, _e490, _e492, _e494, f32(_e503), f32(_e512), f32(_e521), _e523, f32(_e532), f32(_e541), _e543, _e545, 3f, f32(_e554), f32(_e563), f32(_e572), f32(_e581), f32(_e590), f32(_e599), f32(select(0i, select(select(i32(_e601), i32(-2147483648), (_e601 < -2147483600f)), 2147483647i, (_e601 > 2147483500f)), (_e601 == _e601))), _e610, _e612, _e614, _e616, _e618);
+phi_7678_ = array<f32, 42>();
+phi_7679_ = true;
 } else {
 let _e635 = (_e256 + (_e249 * _e371));
 let _e636 = (_e257 + (_e250 * _e371));
 let _e637 = (_e258 + (_e251 * _e371));
-let _e639 = type_26(vec3<f32>(_e635, _e636, _e637), vec3<f32>(_e249, _e250, _e251), vec3<f32>(_e462, _e464, _e466), vec3<f32>(_e469, _e471, _e473), vec3<f32>(_e476, _e478, _e480), vec3<f32>(_e483, _e485, _e487), vec3<f32>(1f, 1f, 1f), _e503, _e512, _e521, _e523, _e532, _e541, _e543, _e545, 3f, _e554, _e563, _e572, _e581, _e590, _e599, 1i, _e610, _e612, _e614, _e616, _e618);
+let _e639 = type_27(vec3<f32>(_e635, _e636, _e637), vec3<f32>(_e249, _e250, _e251), vec3<f32>(_e462, _e464, _e466), vec3<f32>(_e469, _e471, _e473), vec3<f32>(_e476, _e478, _e480), vec3<f32>(_e483, _e485, _e487), vec3<f32>(1f, 1f, 1f), _e503, _e512, _e521, _e523, _e532, _e541, _e543, _e545, 3f, _e554, _e563, _e572, _e581, _e590, _e599, 1i, _e610, _e612, _e614, _e616, _e618);
 let _e643 = global_3.member.member_13.member_4;
 let _e650 = global_3.member.member_13.member_5;
 let _e655 = ((_e643.member - _e256) * _e306);
@@ -548,14 +560,14 @@ let _e693 = (select(_e369, _e689, _e690) - _e691);
 let _e697 = global_3.member.member_13.member_6;
 let _e698 = (_e697 == 0u);
 if _e698 {
-phi_1804_ = _e693;
+phi_1805_ = _e693;
 } else {
 let _e700 = (_e693 / f32(_e697));
-phi_1091_ = 0u;
-phi_1094_ = 0f;
+phi_1092_ = 0u;
+phi_1095_ = 0f;
 loop {
-let _e702 = phi_1091_;
-let _e704 = phi_1094_;
+let _e702 = phi_1092_;
+let _e704 = phi_1095_;
 local_64 = _e704;
 let _e707 = ((_e702 < _e697) && (_e693 > 0f));
 if _e707 {
@@ -607,29 +619,29 @@ local_10 = (_e748 - f32(_e785));
 let _e822 = (_e785 + 1i);
 let _e824 = select(_e822, 0i, (_e822 < 0i));
 if (_e824 >= _e727) {
-phi_1229_ = (_e727 - 1i);
+phi_1230_ = (_e727 - 1i);
 } else {
-phi_1229_ = _e824;
+phi_1230_ = _e824;
 }
-let _e828 = phi_1229_;
+let _e828 = phi_1230_;
 local_11 = (_e828 - _e785);
 let _e830 = (_e800 + 1i);
 let _e832 = select(_e830, 0i, (_e830 < 0i));
 if (_e832 >= _e732) {
-phi_1242_ = (_e732 - 1i);
+phi_1243_ = (_e732 - 1i);
 } else {
-phi_1242_ = _e832;
+phi_1243_ = _e832;
 }
-let _e836 = phi_1242_;
+let _e836 = phi_1243_;
 let _e838 = ((_e836 - _e800) * _e727);
 let _e839 = (_e815 + 1i);
 let _e841 = select(_e839, 0i, (_e839 < 0i));
 if (_e841 >= _e737) {
-phi_1256_ = (_e737 - 1i);
+phi_1257_ = (_e737 - 1i);
 } else {
-phi_1256_ = _e841;
+phi_1257_ = _e841;
 }
-let _e845 = phi_1256_;
+let _e845 = phi_1257_;
 let _e852 = global_3.member.member_13.member_10;
 let _e853 = bitcast<i32>(_e852);
 let _e858 = ((_e853 + (((_e815 * _e732) + _e800) * _e727)) + _e785);
@@ -698,29 +710,29 @@ local_8 = (_e977 - f32(_e1008));
 let _e1045 = (_e1008 + 1i);
 let _e1047 = select(_e1045, 0i, (_e1045 < 0i));
 if (_e1047 >= _e727) {
-phi_1572_ = (_e727 - 1i);
+phi_1573_ = (_e727 - 1i);
 } else {
-phi_1572_ = _e1047;
+phi_1573_ = _e1047;
 }
-let _e1051 = phi_1572_;
+let _e1051 = phi_1573_;
 local_9 = (_e1051 - _e1008);
 let _e1053 = (_e1023 + 1i);
 let _e1055 = select(_e1053, 0i, (_e1053 < 0i));
 if (_e1055 >= _e732) {
-phi_1585_ = (_e732 - 1i);
+phi_1586_ = (_e732 - 1i);
 } else {
-phi_1585_ = _e1055;
+phi_1586_ = _e1055;
 }
-let _e1059 = phi_1585_;
+let _e1059 = phi_1586_;
 let _e1061 = ((_e1059 - _e1023) * _e727);
 let _e1062 = (_e1038 + 1i);
 let _e1064 = select(_e1062, 0i, (_e1062 < 0i));
 if (_e1064 >= _e737) {
-phi_1599_ = (_e737 - 1i);
+phi_1600_ = (_e737 - 1i);
 } else {
-phi_1599_ = _e1064;
+phi_1600_ = _e1064;
 }
-let _e1068 = phi_1599_;
+let _e1068 = phi_1600_;
 let _e1076 = ((_e853 + (((_e1038 * _e732) + _e1023) * _e727)) + _e1008);
 let _e1078 = select(_e860, _e1076, (_e1076 < _e860));
 let _e1083 = global_1.member[bitcast<u32>(select(0i, _e1078, (_e1078 > 0i)))];
@@ -758,25 +770,25 @@ let _e1162 = (_e1150 + _e1161);
 let _e1164 = select(_e860, _e1162, (_e1162 < _e860));
 let _e1169 = global_1.member[bitcast<u32>(select(0i, _e1164, (_e1164 > 0i)))];
 let _e1170 = local_8;
-phi_1092_ = (_e702 + 1u);
-phi_1095_ = (_e704 + ((0.5f * (((((((_e867 * (1f - _e868)) + (_e879 * _e880)) * _e883) + (((_e892 * (1f - _e893)) + (_e904 * _e905)) * _e819)) * (1f - _e821)) + (((((_e917 * (1f - _e918)) + (_e929 * _e930)) * _e883) + (((_e941 * (1f - _e942)) + (_e953 * _e954)) * _e819)) * _e821)) + ((((((_e1083 * (1f - _e1084)) + (_e1095 * _e1096)) * _e1099) + (((_e1108 * (1f - _e1109)) + (_e1120 * _e1121)) * _e1042)) * (1f - _e1044)) + (((((_e1133 * (1f - _e1134)) + (_e1145 * _e1146)) * _e1099) + (((_e1157 * (1f - _e1158)) + (_e1169 * _e1170)) * _e1042)) * _e1044)))) * _e714));
+phi_1093_ = (_e702 + 1u);
+phi_1096_ = (_e704 + ((0.5f * (((((((_e867 * (1f - _e868)) + (_e879 * _e880)) * _e883) + (((_e892 * (1f - _e893)) + (_e904 * _e905)) * _e819)) * (1f - _e821)) + (((((_e917 * (1f - _e918)) + (_e929 * _e930)) * _e883) + (((_e941 * (1f - _e942)) + (_e953 * _e954)) * _e819)) * _e821)) + ((((((_e1083 * (1f - _e1084)) + (_e1095 * _e1096)) * _e1099) + (((_e1108 * (1f - _e1109)) + (_e1120 * _e1121)) * _e1042)) * (1f - _e1044)) + (((((_e1133 * (1f - _e1134)) + (_e1145 * _e1146)) * _e1099) + (((_e1157 * (1f - _e1158)) + (_e1169 * _e1170)) * _e1042)) * _e1044)))) * _e714));
 } else {
-phi_1092_ = u32();
-phi_1095_ = f32();
+phi_1093_ = u32();
+phi_1096_ = f32();
 }
-let _e1185 = phi_1092_;
-let _e1187 = phi_1095_;
+let _e1185 = phi_1093_;
+let _e1187 = phi_1096_;
 continue;
 continuing {
-phi_1091_ = _e1185;
-phi_1094_ = _e1187;
+phi_1092_ = _e1185;
+phi_1095_ = _e1187;
 break if !(_e707);
 }
 }
 let _e5324 = local_64;
-phi_1804_ = _e5324;
+phi_1805_ = _e5324;
 }
-let _e1190 = phi_1804_;
+let _e1190 = phi_1805_;
 let _e1194 = global_3.member.member_13.member;
 let _e1199 = -((_e1194.member * _e1190));
 let _e1201 = select(-87f, _e1199, (_e1199 > -87f));
@@ -814,20 +826,20 @@ let _e1347 = (1f * ((1f + (_e1273 * (1f + (_e1273 * (0.5f + (_e1273 * (0.1666666
 let _e1348 = (1f * ((1f + (_e1321 * (1f + (_e1321 * (0.5f + (_e1321 * (0.16666667f + (_e1321 * (0.041666668f + (_e1321 * (0.008333334f + (_e1321 * (0.001388889f + (_e1321 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1316 + 127i)) << bitcast<u32>(23i)))));
 let _e1357 = (bitcast<i32>(countOneBits(bitcast<u32>((_e563 & ((1i << bitcast<u32>((_e554 & 31i))) - 1i))))) == _e590);
 if _e1357 {
-phi_2032_ = ((((1f + 1f) + 1f) * _e1344) - (((_e1346 + _e1347) + _e1348) * _e1344));
+phi_2033_ = ((((1f + 1f) + 1f) * _e1344) - (((_e1346 + _e1347) + _e1348) * _e1344));
 } else {
-phi_2032_ = 0f;
+phi_2033_ = 0f;
 }
-let _e1363 = phi_2032_;
+let _e1363 = phi_2033_;
 let _e1364 = (_e616 + _e1363);
 let _e1365 = (_e384 - _e371);
 let _e1367 = select(0f, _e1365, (_e1365 > 0f));
-let _e1395 = type_26(_e639.member, _e639.member_1, _e639.member_2, _e639.member_3, _e639.member_4, _e639.member_5, _e639.member_6, _e639.member_7, _e639.member_8, _e639.member_9, _e1367, _e639.member_11, _e639.member_12, _e639.member_13, _e639.member_14, _e639.member_15, _e639.member_16, _e639.member_17, _e639.member_18, _e639.member_19, _e639.member_20, _e639.member_21, _e639.member_22, _e639.member_23, _e639.member_24, _e639.member_25, _e639.member_26, _e639.member_27);
-let _e1423 = type_26(_e1395.member, _e1395.member_1, _e1395.member_2, _e1395.member_3, _e1395.member_4, _e1395.member_5, _e1395.member_6, _e1395.member_7, _e1395.member_8, _e431, _e1395.member_10, _e1395.member_11, _e1395.member_12, _e1395.member_13, _e1395.member_14, _e1395.member_15, _e1395.member_16, _e1395.member_17, _e1395.member_18, _e1395.member_19, _e1395.member_20, _e1395.member_21, _e1395.member_22, _e1395.member_23, _e1395.member_24, _e1395.member_25, _e1395.member_26, _e1395.member_27);
+let _e1395 = type_27(_e639.member, _e639.member_1, _e639.member_2, _e639.member_3, _e639.member_4, _e639.member_5, _e639.member_6, _e639.member_7, _e639.member_8, _e639.member_9, _e1367, _e639.member_11, _e639.member_12, _e639.member_13, _e639.member_14, _e639.member_15, _e639.member_16, _e639.member_17, _e639.member_18, _e639.member_19, _e639.member_20, _e639.member_21, _e639.member_22, _e639.member_23, _e639.member_24, _e639.member_25, _e639.member_26, _e639.member_27);
+let _e1423 = type_27(_e1395.member, _e1395.member_1, _e1395.member_2, _e1395.member_3, _e1395.member_4, _e1395.member_5, _e1395.member_6, _e1395.member_7, _e1395.member_8, _e431, _e1395.member_10, _e1395.member_11, _e1395.member_12, _e1395.member_13, _e1395.member_14, _e1395.member_15, _e1395.member_16, _e1395.member_17, _e1395.member_18, _e1395.member_19, _e1395.member_20, _e1395.member_21, _e1395.member_22, _e1395.member_23, _e1395.member_24, _e1395.member_25, _e1395.member_26, _e1395.member_27);
 if (_e161 == 0i) {
-phi_7670_ = array<f32, 42>(_e635, _e636, _e637, _e249, _e250, _e251, (select(0f, _e200, _e233) + (_e279 * _e371)), (select(0f, _e201, _e233) + (_e280 * _e371)), (select(0f, _e202, _e233) + (_e281 * _e371)), (select(0f, _e203, _e233) + (_e296 * _e371)), (select(0f, _e204, _e233) + (_e297 * _e371)), (select(0f, _e205, _e233) + (_e298 * _e371)), _e279, _e280, _e281, _e296, _e297, _e298, _e1346, _e1347, _e1348, f32(_e503), f32(_e512), f32(_e431), _e1367, f32(_e532), f32(_e541), _e543, _e545, 2f, f32(_e554), f32(_e563), f32(_e572), f32(_e581), f32(_e590), f32(_e599), 1f, _e610, _e612, _e614, _e1364, (((_e1346 + _e1347) + _e1348) * _e1344));
-phi_7671_ = array<f32, 42>();
-phi_7672_ = true;
+phi_7671_ = array<f32, 42>(_e635, _e636, _e637, _e249, _e250, _e251, (select(0f, _e200, _e233) + (_e279 * _e371)), (select(0f, _e201, _e233) + (_e280 * _e371)), (select(0f, _e202, _e233) + (_e281 * _e371)), (select(0f, _e203, _e233) + (_e296 * _e371)), (select(0f, _e204, _e233) + (_e297 * _e371)), (select(0f, _e205, _e233) + (_e298 * _e371)), _e279, _e280, _e281, _e296, _e297, _e298, _e1346, _e1347, _e1348, f32(_e503), f32(_e512), f32(_e431), _e1367, f32(_e532), f32(_e541), _e543, _e545, 2f, f32(_e554), f32(_e563), f32(_e572), f32(_e581), f32(_e590), f32(_e599), 1f, _e610, _e612, _e614, _e1364, (((_e1346 + _e1347) + _e1348) * _e1344));
+phi_7672_ = array<f32, 42>();
+phi_7673_ = true;
 } else {
 let _e1453 = ((_e643.member - _e635) * _e306);
 let _e1455 = ((_e650.member - _e635) * _e306);
@@ -851,14 +863,14 @@ let _e1488 = (_e1487 > _e1485);
 let _e1489 = select(0f, _e1485, _e1488);
 let _e1491 = (select(0f, _e1487, _e1488) - _e1489);
 if _e698 {
-phi_2996_ = _e1491;
+phi_2997_ = _e1491;
 } else {
 let _e1493 = (_e1491 / f32(_e697));
-phi_2271_ = 0u;
-phi_2274_ = 0f;
+phi_2272_ = 0u;
+phi_2275_ = 0f;
 loop {
-let _e1495 = phi_2271_;
-let _e1497 = phi_2274_;
+let _e1495 = phi_2272_;
+let _e1497 = phi_2275_;
 local_65 = _e1497;
 let _e1500 = ((_e1495 < _e697) && (_e1491 > 0f));
 if _e1500 {
@@ -910,29 +922,29 @@ local_6 = (_e1541 - f32(_e1578));
 let _e1615 = (_e1578 + 1i);
 let _e1617 = select(_e1615, 0i, (_e1615 < 0i));
 if (_e1617 >= _e1520) {
-phi_2415_ = (_e1520 - 1i);
+phi_2416_ = (_e1520 - 1i);
 } else {
-phi_2415_ = _e1617;
+phi_2416_ = _e1617;
 }
-let _e1621 = phi_2415_;
+let _e1621 = phi_2416_;
 local_7 = (_e1621 - _e1578);
 let _e1623 = (_e1593 + 1i);
 let _e1625 = select(_e1623, 0i, (_e1623 < 0i));
 if (_e1625 >= _e1525) {
-phi_2428_ = (_e1525 - 1i);
+phi_2429_ = (_e1525 - 1i);
 } else {
-phi_2428_ = _e1625;
+phi_2429_ = _e1625;
 }
-let _e1629 = phi_2428_;
+let _e1629 = phi_2429_;
 let _e1631 = ((_e1629 - _e1593) * _e1520);
 let _e1632 = (_e1608 + 1i);
 let _e1634 = select(_e1632, 0i, (_e1632 < 0i));
 if (_e1634 >= _e1530) {
-phi_2442_ = (_e1530 - 1i);
+phi_2443_ = (_e1530 - 1i);
 } else {
-phi_2442_ = _e1634;
+phi_2443_ = _e1634;
 }
-let _e1638 = phi_2442_;
+let _e1638 = phi_2443_;
 let _e1645 = global_3.member.member_13.member_10;
 let _e1646 = bitcast<i32>(_e1645);
 let _e1651 = ((_e1646 + (((_e1608 * _e1525) + _e1593) * _e1520)) + _e1578);
@@ -1001,29 +1013,29 @@ local_4 = (_e1770 - f32(_e1801));
 let _e1838 = (_e1801 + 1i);
 let _e1840 = select(_e1838, 0i, (_e1838 < 0i));
 if (_e1840 >= _e1520) {
-phi_2764_ = (_e1520 - 1i);
+phi_2765_ = (_e1520 - 1i);
 } else {
-phi_2764_ = _e1840;
+phi_2765_ = _e1840;
 }
-let _e1844 = phi_2764_;
+let _e1844 = phi_2765_;
 local_5 = (_e1844 - _e1801);
 let _e1846 = (_e1816 + 1i);
 let _e1848 = select(_e1846, 0i, (_e1846 < 0i));
 if (_e1848 >= _e1525) {
-phi_2777_ = (_e1525 - 1i);
+phi_2778_ = (_e1525 - 1i);
 } else {
-phi_2777_ = _e1848;
+phi_2778_ = _e1848;
 }
-let _e1852 = phi_2777_;
+let _e1852 = phi_2778_;
 let _e1854 = ((_e1852 - _e1816) * _e1520);
 let _e1855 = (_e1831 + 1i);
 let _e1857 = select(_e1855, 0i, (_e1855 < 0i));
 if (_e1857 >= _e1530) {
-phi_2791_ = (_e1530 - 1i);
+phi_2792_ = (_e1530 - 1i);
 } else {
-phi_2791_ = _e1857;
+phi_2792_ = _e1857;
 }
-let _e1861 = phi_2791_;
+let _e1861 = phi_2792_;
 let _e1869 = ((_e1646 + (((_e1831 * _e1525) + _e1816) * _e1520)) + _e1801);
 let _e1871 = select(_e1653, _e1869, (_e1869 < _e1653));
 let _e1876 = global_1.member[bitcast<u32>(select(0i, _e1871, (_e1871 > 0i)))];
@@ -1061,25 +1073,25 @@ let _e1955 = (_e1943 + _e1954);
 let _e1957 = select(_e1653, _e1955, (_e1955 < _e1653));
 let _e1962 = global_1.member[bitcast<u32>(select(0i, _e1957, (_e1957 > 0i)))];
 let _e1963 = local_4;
-phi_2272_ = (_e1495 + 1u);
-phi_2275_ = (_e1497 + ((0.5f * (((((((_e1660 * (1f - _e1661)) + (_e1672 * _e1673)) * _e1676) + (((_e1685 * (1f - _e1686)) + (_e1697 * _e1698)) * _e1612)) * (1f - _e1614)) + (((((_e1710 * (1f - _e1711)) + (_e1722 * _e1723)) * _e1676) + (((_e1734 * (1f - _e1735)) + (_e1746 * _e1747)) * _e1612)) * _e1614)) + ((((((_e1876 * (1f - _e1877)) + (_e1888 * _e1889)) * _e1892) + (((_e1901 * (1f - _e1902)) + (_e1913 * _e1914)) * _e1835)) * (1f - _e1837)) + (((((_e1926 * (1f - _e1927)) + (_e1938 * _e1939)) * _e1892) + (((_e1950 * (1f - _e1951)) + (_e1962 * _e1963)) * _e1835)) * _e1837)))) * _e1507));
+phi_2273_ = (_e1495 + 1u);
+phi_2276_ = (_e1497 + ((0.5f * (((((((_e1660 * (1f - _e1661)) + (_e1672 * _e1673)) * _e1676) + (((_e1685 * (1f - _e1686)) + (_e1697 * _e1698)) * _e1612)) * (1f - _e1614)) + (((((_e1710 * (1f - _e1711)) + (_e1722 * _e1723)) * _e1676) + (((_e1734 * (1f - _e1735)) + (_e1746 * _e1747)) * _e1612)) * _e1614)) + ((((((_e1876 * (1f - _e1877)) + (_e1888 * _e1889)) * _e1892) + (((_e1901 * (1f - _e1902)) + (_e1913 * _e1914)) * _e1835)) * (1f - _e1837)) + (((((_e1926 * (1f - _e1927)) + (_e1938 * _e1939)) * _e1892) + (((_e1950 * (1f - _e1951)) + (_e1962 * _e1963)) * _e1835)) * _e1837)))) * _e1507));
 } else {
-phi_2272_ = u32();
-phi_2275_ = f32();
+phi_2273_ = u32();
+phi_2276_ = f32();
 }
-let _e1978 = phi_2272_;
-let _e1980 = phi_2275_;
+let _e1978 = phi_2273_;
+let _e1980 = phi_2276_;
 continue;
 continuing {
-phi_2271_ = _e1978;
-phi_2274_ = _e1980;
+phi_2272_ = _e1978;
+phi_2275_ = _e1980;
 break if !(_e1500);
 }
 }
 let _e5338 = local_65;
-phi_2996_ = _e5338;
+phi_2997_ = _e5338;
 }
-let _e1983 = phi_2996_;
+let _e1983 = phi_2997_;
 let _e1985 = -((_e1194.member * _e1983));
 let _e1987 = select(-87f, _e1985, (_e1985 > -87f));
 let _e1989 = select(88f, _e1987, (_e1987 < 88f));
@@ -1114,31 +1126,31 @@ let _e2131 = (_e1346 * ((1f + (_e2011 * (1f + (_e2011 * (0.5f + (_e2011 * (0.166
 let _e2132 = (_e1347 * ((1f + (_e2059 * (1f + (_e2059 * (0.5f + (_e2059 * (0.16666667f + (_e2059 * (0.041666668f + (_e2059 * (0.008333334f + (_e2059 * (0.001388889f + (_e2059 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2054 + 127i)) << bitcast<u32>(23i)))));
 let _e2133 = (_e1348 * ((1f + (_e2107 * (1f + (_e2107 * (0.5f + (_e2107 * (0.16666667f + (_e2107 * (0.041666668f + (_e2107 * (0.008333334f + (_e2107 * (0.001388889f + (_e2107 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2102 + 127i)) << bitcast<u32>(23i)))));
 let _e2134 = vec3<f32>(_e2131, _e2132, _e2133);
-let _e2162 = type_26(_e1423.member, _e1423.member_1, _e1423.member_2, _e1423.member_3, _e1423.member_4, _e1423.member_5, _e2134, _e1423.member_7, _e1423.member_8, _e1423.member_9, _e1423.member_10, _e1423.member_11, _e1423.member_12, _e1423.member_13, _e1423.member_14, _e1423.member_15, _e1423.member_16, _e1423.member_17, _e1423.member_18, _e1423.member_19, _e1423.member_20, _e1423.member_21, _e1423.member_22, _e1423.member_23, _e1423.member_24, _e1423.member_25, _e1423.member_26, _e1423.member_27);
+let _e2162 = type_27(_e1423.member, _e1423.member_1, _e1423.member_2, _e1423.member_3, _e1423.member_4, _e1423.member_5, _e2134, _e1423.member_7, _e1423.member_8, _e1423.member_9, _e1423.member_10, _e1423.member_11, _e1423.member_12, _e1423.member_13, _e1423.member_14, _e1423.member_15, _e1423.member_16, _e1423.member_17, _e1423.member_18, _e1423.member_19, _e1423.member_20, _e1423.member_21, _e1423.member_22, _e1423.member_23, _e1423.member_24, _e1423.member_25, _e1423.member_26, _e1423.member_27);
 if _e1357 {
-phi_3229_ = ((((_e1346 + _e1347) + _e1348) * _e1344) - (((_e2131 + _e2132) + _e2133) * _e1344));
+phi_3230_ = ((((_e1346 + _e1347) + _e1348) * _e1344) - (((_e2131 + _e2132) + _e2133) * _e1344));
 } else {
-phi_3229_ = 0f;
+phi_3230_ = 0f;
 }
-let _e2168 = phi_3229_;
+let _e2168 = phi_3230_;
 let _e2169 = (_e1364 + _e2168);
-let _e2197 = type_26(_e2162.member, _e2162.member_1, _e2162.member_2, _e2162.member_3, _e2162.member_4, _e2162.member_5, _e2162.member_6, _e2162.member_7, _e2162.member_8, _e2162.member_9, _e2162.member_10, _e2162.member_11, _e2162.member_12, _e2162.member_13, _e2162.member_14, _e2162.member_15, _e2162.member_16, _e2162.member_17, _e2162.member_18, _e2162.member_19, _e2162.member_20, _e2162.member_21, _e2162.member_22, _e2162.member_23, _e2162.member_24, _e2162.member_25, _e2169, _e2162.member_27);
+let _e2197 = type_27(_e2162.member, _e2162.member_1, _e2162.member_2, _e2162.member_3, _e2162.member_4, _e2162.member_5, _e2162.member_6, _e2162.member_7, _e2162.member_8, _e2162.member_9, _e2162.member_10, _e2162.member_11, _e2162.member_12, _e2162.member_13, _e2162.member_14, _e2162.member_15, _e2162.member_16, _e2162.member_17, _e2162.member_18, _e2162.member_19, _e2162.member_20, _e2162.member_21, _e2162.member_22, _e2162.member_23, _e2162.member_24, _e2162.member_25, _e2169, _e2162.member_27);
 if (_e431 >= 0i) {
 let _e2199 = (_e448 * 4i);
 let _e2201 = (bitcast<i32>(_e129) - 1i);
 let _e2203 = select(_e2201, _e2199, (_e2199 < _e2201));
 let _e2209 = global_1.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
-phi_3261_ = select(_e2209, 1f, (_e448 == 16i));
+phi_3262_ = select(_e2209, 1f, (_e448 == 16i));
 } else {
-phi_3261_ = 0f;
+phi_3262_ = 0f;
 }
-let _e2213 = phi_3261_;
+let _e2213 = phi_3262_;
 let _e2214 = (_e2213 == 0f);
 if _e2214 {
 let _e2217 = (((_e2131 + _e2132) + _e2133) * _e1344);
 let _e2218 = (_e431 == -1i);
-phi_7668_ = array<f32, 42>(_e635, _e636, _e637, _e249, _e250, _e251, _e462, _e464, _e466, _e469, _e471, _e473, _e476, _e478, _e480, _e483, _e485, _e487, _e2131, _e2132, _e2133, f32(_e503), f32(_e512), f32(_e431), _e1367, f32(_e532), f32(_e541), _e543, _e545, 3f, f32(_e554), f32(_e563), f32(_e572), f32(_e581), f32(_e590), f32(_e599), 1f, (_e610 + select(0f, _e2217, _e2218)), (_e612 + select(_e2217, 0f, _e2218)), _e614, _e2169, _e618);
-phi_7669_ = array<f32, 42>();
+phi_7669_ = array<f32, 42>(_e635, _e636, _e637, _e249, _e250, _e251, _e462, _e464, _e466, _e469, _e471, _e473, _e476, _e478, _e480, _e483, _e485, _e487, _e2131, _e2132, _e2133, f32(_e503), f32(_e512), f32(_e431), _e1367, f32(_e532), f32(_e541), _e543, _e545, 3f, f32(_e554), f32(_e563), f32(_e572), f32(_e581), f32(_e590), f32(_e599), 1f, (_e610 + select(0f, _e2217, _e2218)), (_e612 + select(_e2217, 0f, _e2218)), _e614, _e2169, _e618);
+phi_7670_ = array<f32, 42>();
 } else {
 let _e2235 = (_e2213 < 0f);
 if _e2235 {
@@ -1156,9 +1168,9 @@ let _e2265 = global_1.member[bitcast<u32>(select(0i, _e2259, (_e2259 > 0i)))];
 let _e2266 = (_e2131 * _e2247);
 let _e2267 = (_e2132 * _e2256);
 let _e2268 = (_e2133 * _e2265);
-phi_3947_ = vec3<f32>(_e2266, _e2267, _e2268);
-phi_3948_ = type_26(_e2197.member, _e2197.member_1, _e2197.member_2, _e2197.member_3, _e2197.member_4, _e2197.member_5, _e2197.member_6, _e2197.member_7, _e2197.member_8, _e2197.member_9, _e2197.member_10, _e2197.member_11, _e2197.member_12, _e2197.member_13, _e2197.member_14, _e2197.member_15, _e2197.member_16, _e2197.member_17, _e2197.member_18, _e2197.member_19, _e2197.member_20, _e2197.member_21, _e2197.member_22, _e2197.member_23, _e2197.member_24, (_e614 + ((((_e2131 + _e2132) + _e2133) * _e1344) - (((_e2266 + _e2267) + _e2268) * _e1344))), _e2197.member_26, _e2197.member_27);
-phi_3949_ = vec3<f32>(0f, 0f, 0f);
+phi_3948_ = vec3<f32>(_e2266, _e2267, _e2268);
+phi_3949_ = type_27(_e2197.member, _e2197.member_1, _e2197.member_2, _e2197.member_3, _e2197.member_4, _e2197.member_5, _e2197.member_6, _e2197.member_7, _e2197.member_8, _e2197.member_9, _e2197.member_10, _e2197.member_11, _e2197.member_12, _e2197.member_13, _e2197.member_14, _e2197.member_15, _e2197.member_16, _e2197.member_17, _e2197.member_18, _e2197.member_19, _e2197.member_20, _e2197.member_21, _e2197.member_22, _e2197.member_23, _e2197.member_24, (_e614 + ((((_e2131 + _e2132) + _e2133) * _e1344) - (((_e2266 + _e2267) + _e2268) * _e1344))), _e2197.member_26, _e2197.member_27);
+phi_3950_ = vec3<f32>(0f, 0f, 0f);
 } else {
 let _e2312 = select(1f, -1f, ((((_e249 * _e394) + (_e250 * _e404)) + (_e251 * _e414)) > 0f));
 let _e2321 = -((((_e249 * (_e394 * _e2312)) + (_e250 * (_e404 * _e2312))) + (_e251 * (_e414 * _e2312))));
@@ -1237,19 +1249,19 @@ let _e2570 = (_e2566 * _e2567);
 let _e2576 = select(0f, _e2352, ((_e2352 >= 0.5f) || ((_e2368 * _e2352) >= _e2373)));
 let _e2583 = (((_e2377 + _e2378) + _e2379) * _e1344);
 let _e2586 = (((_e2564 + _e2565) + _e2566) * _e1344);
-let _e2616 = type_26(_e2197.member, _e2197.member_1, _e2197.member_2, _e2197.member_3, _e2197.member_4, _e2197.member_5, _e2197.member_6, _e2197.member_7, _e2197.member_8, _e2197.member_9, _e2197.member_10, _e2197.member_11, _e2197.member_12, _e2197.member_13, _e2197.member_14, _e2197.member_15, _e2197.member_16, _e2197.member_17, _e2197.member_18, _e2197.member_19, _e2197.member_20, _e2197.member_21, _e2197.member_22, _e2197.member_23, _e2197.member_24, (_e614 + (_e2583 - _e2586)), _e2197.member_26, _e2197.member_27);
-phi_3947_ = vec3<f32>(_e2568, _e2569, _e2570);
-phi_3948_ = type_26(_e2616.member, _e2616.member_1, _e2616.member_2, _e2616.member_3, _e2616.member_4, _e2616.member_5, _e2616.member_6, _e2616.member_7, _e2616.member_8, _e2616.member_9, _e2616.member_10, _e2616.member_11, _e2616.member_12, _e2616.member_13, _e2616.member_14, _e2616.member_15, _e2616.member_16, _e2616.member_17, _e2616.member_18, _e2616.member_19, _e2616.member_20, _e2616.member_21, _e2616.member_22, _e2616.member_23, _e2616.member_24, _e2616.member_25, _e2616.member_26, (((_e618 + (((((_e2131 * _e2353) + (_e2132 * _e2353)) + (_e2133 * _e2353)) * _e1344) - _e2583)) + (_e2586 - (((_e2568 + _e2569) + _e2570) * _e1344))) + (((((_e2131 * _e2352) + (_e2132 * _e2352)) + (_e2133 * _e2352)) * _e1344) - ((((_e2131 * _e2576) + (_e2132 * _e2576)) + (_e2133 * _e2576)) * _e1344))));
-phi_3949_ = (_e2134 * _e2576);
+let _e2616 = type_27(_e2197.member, _e2197.member_1, _e2197.member_2, _e2197.member_3, _e2197.member_4, _e2197.member_5, _e2197.member_6, _e2197.member_7, _e2197.member_8, _e2197.member_9, _e2197.member_10, _e2197.member_11, _e2197.member_12, _e2197.member_13, _e2197.member_14, _e2197.member_15, _e2197.member_16, _e2197.member_17, _e2197.member_18, _e2197.member_19, _e2197.member_20, _e2197.member_21, _e2197.member_22, _e2197.member_23, _e2197.member_24, (_e614 + (_e2583 - _e2586)), _e2197.member_26, _e2197.member_27);
+phi_3948_ = vec3<f32>(_e2568, _e2569, _e2570);
+phi_3949_ = type_27(_e2616.member, _e2616.member_1, _e2616.member_2, _e2616.member_3, _e2616.member_4, _e2616.member_5, _e2616.member_6, _e2616.member_7, _e2616.member_8, _e2616.member_9, _e2616.member_10, _e2616.member_11, _e2616.member_12, _e2616.member_13, _e2616.member_14, _e2616.member_15, _e2616.member_16, _e2616.member_17, _e2616.member_18, _e2616.member_19, _e2616.member_20, _e2616.member_21, _e2616.member_22, _e2616.member_23, _e2616.member_24, _e2616.member_25, _e2616.member_26, (((_e618 + (((((_e2131 * _e2353) + (_e2132 * _e2353)) + (_e2133 * _e2353)) * _e1344) - _e2583)) + (_e2586 - (((_e2568 + _e2569) + _e2570) * _e1344))) + (((((_e2131 * _e2352) + (_e2132 * _e2352)) + (_e2133 * _e2352)) * _e1344) - ((((_e2131 * _e2576) + (_e2132 * _e2576)) + (_e2133 * _e2576)) * _e1344))));
+phi_3950_ = (_e2134 * _e2576);
 }
-let _e2670 = phi_3947_;
-let _e2672 = phi_3948_;
-let _e2674 = phi_3949_;
-phi_3952_ = _e2672;
-phi_3955_ = 1i;
+let _e2670 = phi_3948_;
+let _e2672 = phi_3949_;
+let _e2674 = phi_3950_;
+phi_3953_ = _e2672;
+phi_3956_ = 1i;
 loop {
-let _e2676 = phi_3952_;
-let _e2678 = phi_3955_;
+let _e2676 = phi_3953_;
+let _e2678 = phi_3956_;
 local_22 = _e2676;
 local_23 = _e2676;
 local_24 = _e2676;
@@ -1298,7 +1310,7 @@ let _e2682 = select(_e2674, _e2670, vec3((_e2678 == 1i)));
 let _e2688 = (((_e2682.x + _e2682.y) + _e2682.z) * _e1344);
 let _e2689 = (_e2688 > 0f);
 if (_e2689 && (_e2678 > _e161)) {
-phi_7611_ = type_26(_e2676.member, _e2676.member_1, _e2676.member_2, _e2676.member_3, _e2676.member_4, _e2676.member_5, _e2676.member_6, _e2676.member_7, _e2676.member_8, _e2676.member_9, _e2676.member_10, _e2676.member_11, _e2676.member_12, _e2676.member_13, _e2676.member_14, _e2676.member_15, _e2676.member_16, _e2676.member_17, _e2676.member_18, _e2676.member_19, _e2676.member_20, _e2676.member_21, _e2676.member_22, _e2676.member_23, _e2676.member_24, _e2676.member_25, _e2676.member_26, (_e2676.member_27 + _e2688));
+phi_7612_ = type_27(_e2676.member, _e2676.member_1, _e2676.member_2, _e2676.member_3, _e2676.member_4, _e2676.member_5, _e2676.member_6, _e2676.member_7, _e2676.member_8, _e2676.member_9, _e2676.member_10, _e2676.member_11, _e2676.member_12, _e2676.member_13, _e2676.member_14, _e2676.member_15, _e2676.member_16, _e2676.member_17, _e2676.member_18, _e2676.member_19, _e2676.member_20, _e2676.member_21, _e2676.member_22, _e2676.member_23, _e2676.member_24, _e2676.member_25, _e2676.member_26, (_e2676.member_27 + _e2688));
 } else {
 if _e2689 {
 let _e2723 = (_e2235 || (_e2678 == 2i));
@@ -1333,11 +1345,11 @@ let _e2793 = select(_e376, _e2791, (_e2791 < _e376));
 let _e2799 = global_4.member[bitcast<u32>(select(0i, _e2793, (_e2793 > 0i)))];
 let _e2806 = select(0i, select(select(i32(_e2799), i32(-2147483648), (_e2799 < -2147483600f)), 2147483647i, (_e2799 > 2147483500f)), (_e2799 == _e2799));
 if _e233 {
-phi_4356_ = -(1e30f);
+phi_4357_ = -(1e30f);
 } else {
-phi_4356_ = 0f;
+phi_4357_ = 0f;
 }
-let _e2809 = phi_4356_;
+let _e2809 = phi_4357_;
 let _e2819 = vec3<f32>((_e256 + (_e249 * _e2741)), (_e257 + (_e250 * _e2741)), (_e258 + (_e251 * _e2741)));
 let _e2826 = ((((_e142 >= 0i) && (_e143 >= 0i)) && (_e142 < _e2728)) && (_e143 < _e2728));
 let _e2829 = (select(0i, select(select(i32(_e2782), i32(-2147483648), (_e2782 < -2147483600f)), 2147483647i, (_e2782 > 2147483500f)), (_e2782 == _e2782)) >= 0i);
@@ -1346,11 +1358,11 @@ let _e2831 = (_e2806 * 4i);
 let _e2833 = (bitcast<i32>(_e129) - 1i);
 let _e2835 = select(_e2833, _e2831, (_e2831 < _e2833));
 let _e2841 = global_1.member[bitcast<u32>(select(0i, _e2835, (_e2835 > 0i)))];
-phi_4408_ = select(_e2841, 1f, (_e2806 == 16i));
+phi_4409_ = select(_e2841, 1f, (_e2806 == 16i));
 } else {
-phi_4408_ = 0f;
+phi_4409_ = 0f;
 }
-let _e2845 = phi_4408_;
+let _e2845 = phi_4409_;
 let _e2851 = (bitcast<i32>(_e126) - 1i);
 let _e2853 = select(_e2851, _e2791, (_e2791 < _e2851));
 let _e2859 = global_5.member[bitcast<u32>(select(0i, _e2853, (_e2853 > 0i)))];
@@ -1363,7 +1375,7 @@ let _e2872 = (_e2761 * _e2870);
 let _e2873 = (_e2771 * _e2870);
 let _e2879 = -((((_e249 * _e2871) + (_e250 * _e2872)) + (_e251 * _e2873)));
 let _e2882 = (2f * select(0f, _e2879, (_e2879 > 0f)));
-phi_4704_ = type_27(_e2819, vec3<f32>((_e249 + (_e2871 * _e2882)), (_e250 + (_e2872 * _e2882)), (_e251 + (_e2873 * _e2882))), _e2772, _e2819, _e2772, _e2863);
+phi_4705_ = type_28(_e2819, vec3<f32>((_e249 + (_e2871 * _e2882)), (_e250 + (_e2872 * _e2882)), (_e251 + (_e2873 * _e2882))), _e2772, _e2819, _e2772, _e2863);
 } else {
 let _e2892 = select(_e2851, _e2731, (_e2731 < _e2851));
 let _e2898 = global_5.member[bitcast<u32>(select(0i, _e2892, (_e2892 > 0i)))];
@@ -1386,9 +1398,9 @@ let _e2955 = select(_e2851, _e2763, (_e2763 < _e2851));
 let _e2961 = global_5.member[bitcast<u32>(select(0i, _e2955, (_e2955 > 0i)))];
 let _e2963 = select(_e2851, _e2774, (_e2774 < _e2851));
 let _e2969 = global_5.member[bitcast<u32>(select(0i, _e2963, (_e2963 > 0i)))];
-phi_4704_ = type_27(vec3<f32>(_e2898, _e2907, _e2917), vec3<f32>(_e2928, _e2936, _e2944), vec3<f32>(_e2953, _e2961, _e2969), _e2819, _e2772, _e2863);
+phi_4705_ = type_28(vec3<f32>(_e2898, _e2907, _e2917), vec3<f32>(_e2928, _e2936, _e2944), vec3<f32>(_e2953, _e2961, _e2969), _e2819, _e2772, _e2863);
 }
-let _e2973 = phi_4704_;
+let _e2973 = phi_4705_;
 let _e2980 = global_3.member.member_14.member.member;
 let _e2994 = ((((_e2980.member.member * _e2973.member.x) + (_e2980.member.member_1 * _e2973.member.y)) + (_e2980.member.member_2 * _e2973.member.z)) + _e2980.member_1);
 let _e3003 = -((((_e2980.member.member * _e2973.member_1.x) + (_e2980.member.member_1 * _e2973.member_1.y)) + (_e2980.member.member_2 * _e2973.member_1.z)));
@@ -1405,27 +1417,27 @@ let _e3047 = (_e3043 < _e3012);
 let _e3049 = select(select(-2i, -3i, _e3047), -1i, ((_e3012 >= 1e30f) && (_e3043 >= 1e30f)));
 let _e3050 = select(_e3012, _e3043, _e3047);
 if (_e2678 == _e161) {
-let _e3079 = type_26(_e2676.member, _e2676.member_1, _e2676.member_2, _e2676.member_3, _e2676.member_4, _e2676.member_5, _e2676.member_6, _e2676.member_7, _e2676.member_8, _e2676.member_9, _e2676.member_10, _e2676.member_11, _e2676.member_12, _e2676.member_13, _e2676.member_14, 2f, _e2676.member_16, _e2676.member_17, _e2676.member_18, _e2676.member_19, _e2676.member_20, _e2676.member_21, _e2676.member_22, _e2676.member_23, _e2676.member_24, _e2676.member_25, _e2676.member_26, _e2676.member_27);
-let _e3108 = type_26(_e3079.member, _e3079.member_1, _e3079.member_2, _e3079.member_3, _e3079.member_4, _e3079.member_5, _e3079.member_6, _e3079.member_7, _e3079.member_8, _e3079.member_9, _e3079.member_10, _e3079.member_11, _e3079.member_12, _e3079.member_13, _e3079.member_14, _e3079.member_15, _e3079.member_16, _e3079.member_17, _e3079.member_18, _e3079.member_19, _e3079.member_20, _e3079.member_21, (_e2678 + 1i), _e3079.member_23, _e3079.member_24, _e3079.member_25, _e3079.member_26, _e3079.member_27);
-let _e3137 = type_26(_e3108.member, _e3108.member_1, _e3108.member_2, _e3108.member_3, _e3108.member_4, _e3108.member_5, _e3108.member_6, _e3108.member_7, _e3108.member_8, _e3108.member_9, _e3108.member_10, _e3108.member_11, _e3108.member_12, _e3108.member_13, _e3108.member_14, _e3108.member_15, select(2i, 1i, _e2723), _e3108.member_17, _e3108.member_18, _e3108.member_19, _e3108.member_20, _e3108.member_21, _e3108.member_22, _e3108.member_23, _e3108.member_24, _e3108.member_25, _e3108.member_26, _e3108.member_27);
-let _e3165 = type_26(_e2973.member, _e3137.member_1, _e3137.member_2, _e3137.member_3, _e3137.member_4, _e3137.member_5, _e3137.member_6, _e3137.member_7, _e3137.member_8, _e3137.member_9, _e3137.member_10, _e3137.member_11, _e3137.member_12, _e3137.member_13, _e3137.member_14, _e3137.member_15, _e3137.member_16, _e3137.member_17, _e3137.member_18, _e3137.member_19, _e3137.member_20, _e3137.member_21, _e3137.member_22, _e3137.member_23, _e3137.member_24, _e3137.member_25, _e3137.member_26, _e3137.member_27);
-let _e3193 = type_26(_e3165.member, _e2973.member_1, _e3165.member_2, _e3165.member_3, _e3165.member_4, _e3165.member_5, _e3165.member_6, _e3165.member_7, _e3165.member_8, _e3165.member_9, _e3165.member_10, _e3165.member_11, _e3165.member_12, _e3165.member_13, _e3165.member_14, _e3165.member_15, _e3165.member_16, _e3165.member_17, _e3165.member_18, _e3165.member_19, _e3165.member_20, _e3165.member_21, _e3165.member_22, _e3165.member_23, _e3165.member_24, _e3165.member_25, _e3165.member_26, _e3165.member_27);
+let _e3079 = type_27(_e2676.member, _e2676.member_1, _e2676.member_2, _e2676.member_3, _e2676.member_4, _e2676.member_5, _e2676.member_6, _e2676.member_7, _e2676.member_8, _e2676.member_9, _e2676.member_10, _e2676.member_11, _e2676.member_12, _e2676.member_13, _e2676.member_14, 2f, _e2676.member_16, _e2676.member_17, _e2676.member_18, _e2676.member_19, _e2676.member_20, _e2676.member_21, _e2676.member_22, _e2676.member_23, _e2676.member_24, _e2676.member_25, _e2676.member_26, _e2676.member_27);
+let _e3108 = type_27(_e3079.member, _e3079.member_1, _e3079.member_2, _e3079.member_3, _e3079.member_4, _e3079.member_5, _e3079.member_6, _e3079.member_7, _e3079.member_8, _e3079.member_9, _e3079.member_10, _e3079.member_11, _e3079.member_12, _e3079.member_13, _e3079.member_14, _e3079.member_15, _e3079.member_16, _e3079.member_17, _e3079.member_18, _e3079.member_19, _e3079.member_20, _e3079.member_21, (_e2678 + 1i), _e3079.member_23, _e3079.member_24, _e3079.member_25, _e3079.member_26, _e3079.member_27);
+let _e3137 = type_27(_e3108.member, _e3108.member_1, _e3108.member_2, _e3108.member_3, _e3108.member_4, _e3108.member_5, _e3108.member_6, _e3108.member_7, _e3108.member_8, _e3108.member_9, _e3108.member_10, _e3108.member_11, _e3108.member_12, _e3108.member_13, _e3108.member_14, _e3108.member_15, select(2i, 1i, _e2723), _e3108.member_17, _e3108.member_18, _e3108.member_19, _e3108.member_20, _e3108.member_21, _e3108.member_22, _e3108.member_23, _e3108.member_24, _e3108.member_25, _e3108.member_26, _e3108.member_27);
+let _e3165 = type_27(_e2973.member, _e3137.member_1, _e3137.member_2, _e3137.member_3, _e3137.member_4, _e3137.member_5, _e3137.member_6, _e3137.member_7, _e3137.member_8, _e3137.member_9, _e3137.member_10, _e3137.member_11, _e3137.member_12, _e3137.member_13, _e3137.member_14, _e3137.member_15, _e3137.member_16, _e3137.member_17, _e3137.member_18, _e3137.member_19, _e3137.member_20, _e3137.member_21, _e3137.member_22, _e3137.member_23, _e3137.member_24, _e3137.member_25, _e3137.member_26, _e3137.member_27);
+let _e3193 = type_27(_e3165.member, _e2973.member_1, _e3165.member_2, _e3165.member_3, _e3165.member_4, _e3165.member_5, _e3165.member_6, _e3165.member_7, _e3165.member_8, _e3165.member_9, _e3165.member_10, _e3165.member_11, _e3165.member_12, _e3165.member_13, _e3165.member_14, _e3165.member_15, _e3165.member_16, _e3165.member_17, _e3165.member_18, _e3165.member_19, _e3165.member_20, _e3165.member_21, _e3165.member_22, _e3165.member_23, _e3165.member_24, _e3165.member_25, _e3165.member_26, _e3165.member_27);
 if _e233 {
-phi_5202_ = -(1e30f);
+phi_5203_ = -(1e30f);
 } else {
-phi_5202_ = 0f;
+phi_5203_ = 0f;
 }
-let _e3196 = phi_5202_;
+let _e3196 = phi_5203_;
 if ((_e2826 && !((_e366 <= select(_e3196, _e356, (_e356 > _e3196))))) && _e2829) {
 let _e3203 = (_e2806 * 4i);
 let _e3205 = (bitcast<i32>(_e129) - 1i);
 let _e3207 = select(_e3205, _e3203, (_e3203 < _e3205));
 let _e3213 = global_1.member[bitcast<u32>(select(0i, _e3207, (_e3207 > 0i)))];
-phi_5254_ = select(_e3213, 1f, (_e2806 == 16i));
+phi_5255_ = select(_e3213, 1f, (_e2806 == 16i));
 } else {
-phi_5254_ = 0f;
+phi_5255_ = 0f;
 }
-let _e3217 = phi_5254_;
+let _e3217 = phi_5255_;
 let _e3223 = select(-1i, _e2806, (((_e3217 > 0f) || (_e2723 && (_e3217 < 0f))) && _e2861));
 if _e2723 {
 let _e3230 = select(1f, -1f, ((((_e249 * _e2751) + (_e250 * _e2761)) + (_e251 * _e2771)) > 0f));
@@ -1434,7 +1446,7 @@ let _e3232 = (_e2761 * _e3230);
 let _e3233 = (_e2771 * _e3230);
 let _e3239 = -((((_e249 * _e3231) + (_e250 * _e3232)) + (_e251 * _e3233)));
 let _e3242 = (2f * select(0f, _e3239, (_e3239 > 0f)));
-phi_5550_ = type_27(_e2819, vec3<f32>((_e249 + (_e3231 * _e3242)), (_e250 + (_e3232 * _e3242)), (_e251 + (_e3233 * _e3242))), _e2772, _e2819, _e2772, _e3223);
+phi_5551_ = type_28(_e2819, vec3<f32>((_e249 + (_e3231 * _e3242)), (_e250 + (_e3232 * _e3242)), (_e251 + (_e3233 * _e3242))), _e2772, _e2819, _e2772, _e3223);
 } else {
 let _e3252 = select(_e2851, _e2731, (_e2731 < _e2851));
 let _e3258 = global_5.member[bitcast<u32>(select(0i, _e3252, (_e3252 > 0i)))];
@@ -1457,29 +1469,29 @@ let _e3315 = select(_e2851, _e2763, (_e2763 < _e2851));
 let _e3321 = global_5.member[bitcast<u32>(select(0i, _e3315, (_e3315 > 0i)))];
 let _e3323 = select(_e2851, _e2774, (_e2774 < _e2851));
 let _e3329 = global_5.member[bitcast<u32>(select(0i, _e3323, (_e3323 > 0i)))];
-phi_5550_ = type_27(vec3<f32>(_e3258, _e3267, _e3277), vec3<f32>(_e3288, _e3296, _e3304), vec3<f32>(_e3313, _e3321, _e3329), _e2819, _e2772, _e3223);
+phi_5551_ = type_28(vec3<f32>(_e3258, _e3267, _e3277), vec3<f32>(_e3288, _e3296, _e3304), vec3<f32>(_e3313, _e3321, _e3329), _e2819, _e2772, _e3223);
 }
-let _e3333 = phi_5550_;
-phi_5554_ = 0i;
-phi_5557_ = type_28(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e3333 = phi_5551_;
+phi_5555_ = 0i;
+phi_5558_ = type_29(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 loop {
-let _e3335 = phi_5554_;
-let _e3337 = phi_5557_;
+let _e3335 = phi_5555_;
+let _e3337 = phi_5558_;
 local_18 = _e3337;
 local_19 = _e3337;
 local_20 = _e3337;
 local_21 = _e3337;
 let _e3338 = (_e3335 < 2i);
 if _e3338 {
-phi_5567_ = vec3<f32>(0f, 0f, 0f);
-phi_5570_ = vec3<f32>(0f, 0f, 0f);
-phi_5572_ = -1i;
-phi_5574_ = 0f;
+phi_5568_ = vec3<f32>(0f, 0f, 0f);
+phi_5571_ = vec3<f32>(0f, 0f, 0f);
+phi_5573_ = -1i;
+phi_5575_ = 0f;
 loop {
-let _e3341 = phi_5567_;
-let _e3343 = phi_5570_;
-let _e3345 = phi_5572_;
-let _e3347 = phi_5574_;
+let _e3341 = phi_5568_;
+let _e3343 = phi_5571_;
+let _e3345 = phi_5573_;
+let _e3347 = phi_5575_;
 local_12 = _e3347;
 local_13 = _e3347;
 local_14 = _e3343;
@@ -1546,22 +1558,22 @@ let _e3514 = select(_e3496, _e3494, (_e3494 > _e3496));
 let _e3516 = select(_e3514, _e3512, (_e3512 < _e3514));
 let _e3518 = select(_e3500, _e3498, (_e3498 > _e3500));
 if _e233 {
-phi_5952_ = -(1e30f);
+phi_5953_ = -(1e30f);
 } else {
-phi_5952_ = 0f;
+phi_5953_ = 0f;
 }
-let _e3523 = phi_5952_;
+let _e3523 = phi_5953_;
 let _e3533 = vec3<f32>((_e3462 + (_e3456 * _e3363)), (_e3463 + (_e3457 * _e3363)), (_e3464 + (_e3458 * _e3363)));
 if ((((((_e3350 >= 0i) && (_e3352 >= 0i)) && (_e3350 < _e2728)) && (_e3352 < _e2728)) && !((select(_e3518, _e3516, (_e3516 < _e3518)) <= select(_e3523, _e3510, (_e3510 > _e3523))))) && (select(0i, select(select(i32(_e3400), i32(-2147483648), (_e3400 < -2147483600f)), 2147483647i, (_e3400 > 2147483500f)), (_e3400 == _e3400)) >= 0i)) {
 let _e3545 = (_e3423 * 4i);
 let _e3547 = (bitcast<i32>(_e129) - 1i);
 let _e3549 = select(_e3547, _e3545, (_e3545 < _e3547));
 let _e3555 = global_1.member[bitcast<u32>(select(0i, _e3549, (_e3549 > 0i)))];
-phi_6004_ = select(_e3555, 1f, (_e3423 == 16i));
+phi_6005_ = select(_e3555, 1f, (_e3423 == 16i));
 } else {
-phi_6004_ = 0f;
+phi_6005_ = 0f;
 }
-let _e3559 = phi_6004_;
+let _e3559 = phi_6005_;
 let _e3565 = select(_e2851, _e3408, (_e3408 < _e2851));
 let _e3571 = global_5.member[bitcast<u32>(select(0i, _e3565, (_e3565 > 0i)))];
 let _e3575 = select(-1i, _e3423, (((_e3559 > 0f) || (_e2723 && (_e3559 < 0f))) && (_e2723 || (_e3571 < 1f))));
@@ -1572,7 +1584,7 @@ let _e3584 = (_e3381 * _e3582);
 let _e3585 = (_e3390 * _e3582);
 let _e3591 = -((((_e3456 * _e3583) + (_e3457 * _e3584)) + (_e3458 * _e3585)));
 let _e3594 = (2f * select(0f, _e3591, (_e3591 > 0f)));
-phi_6300_ = type_27(_e3533, vec3<f32>((_e3456 + (_e3583 * _e3594)), (_e3457 + (_e3584 * _e3594)), (_e3458 + (_e3585 * _e3594))), _e3391, _e3533, _e3391, _e3575);
+phi_6301_ = type_28(_e3533, vec3<f32>((_e3456 + (_e3583 * _e3594)), (_e3457 + (_e3584 * _e3594)), (_e3458 + (_e3585 * _e3594))), _e3391, _e3533, _e3391, _e3575);
 } else {
 let _e3604 = select(_e2851, _e3354, (_e3354 < _e2851));
 let _e3610 = global_5.member[bitcast<u32>(select(0i, _e3604, (_e3604 > 0i)))];
@@ -1595,9 +1607,9 @@ let _e3667 = select(_e2851, _e3382, (_e3382 < _e2851));
 let _e3673 = global_5.member[bitcast<u32>(select(0i, _e3667, (_e3667 > 0i)))];
 let _e3675 = select(_e2851, _e3392, (_e3392 < _e2851));
 let _e3681 = global_5.member[bitcast<u32>(select(0i, _e3675, (_e3675 > 0i)))];
-phi_6300_ = type_27(vec3<f32>(_e3610, _e3619, _e3629), vec3<f32>(_e3640, _e3648, _e3656), vec3<f32>(_e3665, _e3673, _e3681), _e3533, _e3391, _e3575);
+phi_6301_ = type_28(vec3<f32>(_e3610, _e3619, _e3629), vec3<f32>(_e3640, _e3648, _e3656), vec3<f32>(_e3665, _e3673, _e3681), _e3533, _e3391, _e3575);
 }
-let _e3685 = phi_6300_;
+let _e3685 = phi_6301_;
 let _e3690 = (_e3685.member.x - _e3333.member.x);
 let _e3693 = (_e3685.member.y - _e3333.member.y);
 let _e3696 = (_e3685.member.z - _e3333.member.z);
@@ -1610,37 +1622,37 @@ let _e3774 = (((_e3690 * _e3690) + (_e3693 * _e3693)) + (_e3696 * _e3696));
 let _e3777 = sqrt(select(0f, _e3774, (_e3774 > 0f)));
 if ((((((_e3685.member_5 >= 0i) && (_e3685.member_5 == _e3333.member_5)) && ((((_e3333.member_2.x * _e3685.member_2.x) + (_e3333.member_2.y * _e3685.member_2.y)) + (_e3333.member_2.z * _e3685.member_2.z)) > 0.70710677f)) && ((((_e3333.member_4.x * _e3685.member_4.x) + (_e3333.member_4.y * _e3685.member_4.y)) + (_e3333.member_4.z * _e3685.member_4.z)) > 0.70710677f)) && (bitcast<f32>((bitcast<u32>((((_e3701 * _e3333.member_4.x) + (_e3704 * _e3333.member_4.y)) + (_e3707 * _e3333.member_4.z))) & 2147483647u)) <= (0.5f * _e3715))) && (bitcast<f32>((bitcast<u32>((((_e3690 * _e3333.member_2.x) + (_e3693 * _e3333.member_2.y)) + (_e3696 * _e3333.member_2.z))) & 2147483647u)) <= (0.5f * select(_e3715, _e3777, (_e3777 > _e3715))))) {
 let _e3783 = f32(_e3345);
-phi_6468_ = vec3<f32>((_e3341.x + ((_e3685.member_1.x - _e3333.member_1.x) * _e3783)), (_e3341.y + ((_e3685.member_1.y - _e3333.member_1.y) * _e3783)), (_e3341.z + ((_e3685.member_1.z - _e3333.member_1.z) * _e3783)));
-phi_6469_ = vec3<f32>((_e3343.x + (_e3690 * _e3783)), (_e3343.y + (_e3693 * _e3783)), (_e3343.z + (_e3696 * _e3783)));
-phi_6470_ = (_e3347 + 1f);
+phi_6469_ = vec3<f32>((_e3341.x + ((_e3685.member_1.x - _e3333.member_1.x) * _e3783)), (_e3341.y + ((_e3685.member_1.y - _e3333.member_1.y) * _e3783)), (_e3341.z + ((_e3685.member_1.z - _e3333.member_1.z) * _e3783)));
+phi_6470_ = vec3<f32>((_e3343.x + (_e3690 * _e3783)), (_e3343.y + (_e3693 * _e3783)), (_e3343.z + (_e3696 * _e3783)));
+phi_6471_ = (_e3347 + 1f);
 } else {
-phi_6468_ = _e3341;
-phi_6469_ = _e3343;
-phi_6470_ = _e3347;
+phi_6469_ = _e3341;
+phi_6470_ = _e3343;
+phi_6471_ = _e3347;
 }
-let _e3817 = phi_6468_;
-let _e3819 = phi_6469_;
-let _e3821 = phi_6470_;
-phi_5568_ = _e3817;
-phi_5571_ = _e3819;
-phi_5573_ = (_e3345 + 2i);
-phi_5575_ = _e3821;
+let _e3817 = phi_6469_;
+let _e3819 = phi_6470_;
+let _e3821 = phi_6471_;
+phi_5569_ = _e3817;
+phi_5572_ = _e3819;
+phi_5574_ = (_e3345 + 2i);
+phi_5576_ = _e3821;
 } else {
-phi_5568_ = vec3<f32>();
-phi_5571_ = vec3<f32>();
-phi_5573_ = i32();
-phi_5575_ = f32();
+phi_5569_ = vec3<f32>();
+phi_5572_ = vec3<f32>();
+phi_5574_ = i32();
+phi_5576_ = f32();
 }
-let _e3824 = phi_5568_;
-let _e3826 = phi_5571_;
-let _e3828 = phi_5573_;
-let _e3830 = phi_5575_;
+let _e3824 = phi_5569_;
+let _e3826 = phi_5572_;
+let _e3828 = phi_5574_;
+let _e3830 = phi_5576_;
 continue;
 continuing {
-phi_5567_ = _e3824;
-phi_5570_ = _e3826;
-phi_5572_ = _e3828;
-phi_5574_ = _e3830;
+phi_5568_ = _e3824;
+phi_5571_ = _e3826;
+phi_5573_ = _e3828;
+phi_5575_ = _e3830;
 break if !(_e3348);
 }
 }
@@ -1649,43 +1661,43 @@ let _e3836 = local_13;
 let _e3838 = (1f / select(1f, _e3836, (_e3833 > 1f)));
 if (_e3335 == 0i) {
 let _e3841 = local_14;
-let _e3846 = type_28((_e3841 * _e3838), _e3337.member_1, _e3337.member_2, _e3337.member_3);
+let _e3846 = type_29((_e3841 * _e3838), _e3337.member_1, _e3337.member_2, _e3337.member_3);
 let _e3848 = local_15;
-phi_6490_ = type_28(_e3846.member, _e3846.member_1, (_e3848 * _e3838), _e3846.member_3);
+phi_6491_ = type_29(_e3846.member, _e3846.member_1, (_e3848 * _e3838), _e3846.member_3);
 } else {
 let _e3855 = local_16;
-let _e3860 = type_28(_e3337.member, (_e3855 * _e3838), _e3337.member_2, _e3337.member_3);
+let _e3860 = type_29(_e3337.member, (_e3855 * _e3838), _e3337.member_2, _e3337.member_3);
 let _e3862 = local_17;
-phi_6490_ = type_28(_e3860.member, _e3860.member_1, _e3860.member_2, (_e3862 * _e3838));
+phi_6491_ = type_29(_e3860.member, _e3860.member_1, _e3860.member_2, (_e3862 * _e3838));
 }
-let _e3869 = phi_6490_;
-phi_5555_ = (_e3335 + 1i);
-phi_5558_ = _e3869;
+let _e3869 = phi_6491_;
+phi_5556_ = (_e3335 + 1i);
+phi_5559_ = _e3869;
 } else {
-phi_5555_ = i32();
-phi_5558_ = type_28();
+phi_5556_ = i32();
+phi_5559_ = type_29();
 }
-let _e3872 = phi_5555_;
-let _e3874 = phi_5558_;
+let _e3872 = phi_5556_;
+let _e3874 = phi_5559_;
 continue;
 continuing {
-phi_5554_ = _e3872;
-phi_5557_ = _e3874;
+phi_5555_ = _e3872;
+phi_5558_ = _e3874;
 break if !(_e3338);
 }
 }
 let _e3877 = local_18;
-let _e3906 = type_26(_e3193.member, _e3193.member_1, _e3877.member, _e3193.member_3, _e3193.member_4, _e3193.member_5, _e3193.member_6, _e3193.member_7, _e3193.member_8, _e3193.member_9, _e3193.member_10, _e3193.member_11, _e3193.member_12, _e3193.member_13, _e3193.member_14, _e3193.member_15, _e3193.member_16, _e3193.member_17, _e3193.member_18, _e3193.member_19, _e3193.member_20, _e3193.member_21, _e3193.member_22, _e3193.member_23, _e3193.member_24, _e3193.member_25, _e3193.member_26, _e3193.member_27);
+let _e3906 = type_27(_e3193.member, _e3193.member_1, _e3877.member, _e3193.member_3, _e3193.member_4, _e3193.member_5, _e3193.member_6, _e3193.member_7, _e3193.member_8, _e3193.member_9, _e3193.member_10, _e3193.member_11, _e3193.member_12, _e3193.member_13, _e3193.member_14, _e3193.member_15, _e3193.member_16, _e3193.member_17, _e3193.member_18, _e3193.member_19, _e3193.member_20, _e3193.member_21, _e3193.member_22, _e3193.member_23, _e3193.member_24, _e3193.member_25, _e3193.member_26, _e3193.member_27);
 let _e3908 = local_19;
-let _e3937 = type_26(_e3906.member, _e3906.member_1, _e3906.member_2, _e3908.member_1, _e3906.member_4, _e3906.member_5, _e3906.member_6, _e3906.member_7, _e3906.member_8, _e3906.member_9, _e3906.member_10, _e3906.member_11, _e3906.member_12, _e3906.member_13, _e3906.member_14, _e3906.member_15, _e3906.member_16, _e3906.member_17, _e3906.member_18, _e3906.member_19, _e3906.member_20, _e3906.member_21, _e3906.member_22, _e3906.member_23, _e3906.member_24, _e3906.member_25, _e3906.member_26, _e3906.member_27);
+let _e3937 = type_27(_e3906.member, _e3906.member_1, _e3906.member_2, _e3908.member_1, _e3906.member_4, _e3906.member_5, _e3906.member_6, _e3906.member_7, _e3906.member_8, _e3906.member_9, _e3906.member_10, _e3906.member_11, _e3906.member_12, _e3906.member_13, _e3906.member_14, _e3906.member_15, _e3906.member_16, _e3906.member_17, _e3906.member_18, _e3906.member_19, _e3906.member_20, _e3906.member_21, _e3906.member_22, _e3906.member_23, _e3906.member_24, _e3906.member_25, _e3906.member_26, _e3906.member_27);
 let _e3939 = local_20;
-let _e3968 = type_26(_e3937.member, _e3937.member_1, _e3937.member_2, _e3937.member_3, _e3939.member_2, _e3937.member_5, _e3937.member_6, _e3937.member_7, _e3937.member_8, _e3937.member_9, _e3937.member_10, _e3937.member_11, _e3937.member_12, _e3937.member_13, _e3937.member_14, _e3937.member_15, _e3937.member_16, _e3937.member_17, _e3937.member_18, _e3937.member_19, _e3937.member_20, _e3937.member_21, _e3937.member_22, _e3937.member_23, _e3937.member_24, _e3937.member_25, _e3937.member_26, _e3937.member_27);
+let _e3968 = type_27(_e3937.member, _e3937.member_1, _e3937.member_2, _e3937.member_3, _e3939.member_2, _e3937.member_5, _e3937.member_6, _e3937.member_7, _e3937.member_8, _e3937.member_9, _e3937.member_10, _e3937.member_11, _e3937.member_12, _e3937.member_13, _e3937.member_14, _e3937.member_15, _e3937.member_16, _e3937.member_17, _e3937.member_18, _e3937.member_19, _e3937.member_20, _e3937.member_21, _e3937.member_22, _e3937.member_23, _e3937.member_24, _e3937.member_25, _e3937.member_26, _e3937.member_27);
 let _e3970 = local_21;
-let _e3999 = type_26(_e3968.member, _e3968.member_1, _e3968.member_2, _e3968.member_3, _e3968.member_4, _e3970.member_3, _e3968.member_6, _e3968.member_7, _e3968.member_8, _e3968.member_9, _e3968.member_10, _e3968.member_11, _e3968.member_12, _e3968.member_13, _e3968.member_14, _e3968.member_15, _e3968.member_16, _e3968.member_17, _e3968.member_18, _e3968.member_19, _e3968.member_20, _e3968.member_21, _e3968.member_22, _e3968.member_23, _e3968.member_24, _e3968.member_25, _e3968.member_26, _e3968.member_27);
-let _e4027 = type_26(_e3999.member, _e3999.member_1, _e3999.member_2, _e3999.member_3, _e3999.member_4, _e3999.member_5, _e2682, _e3999.member_7, _e3999.member_8, _e3999.member_9, _e3999.member_10, _e3999.member_11, _e3999.member_12, _e3999.member_13, _e3999.member_14, _e3999.member_15, _e3999.member_16, _e3999.member_17, _e3999.member_18, _e3999.member_19, _e3999.member_20, _e3999.member_21, _e3999.member_22, _e3999.member_23, _e3999.member_24, _e3999.member_25, _e3999.member_26, _e3999.member_27);
-let _e4055 = type_26(_e4027.member, _e4027.member_1, _e4027.member_2, _e4027.member_3, _e4027.member_4, _e4027.member_5, _e4027.member_6, _e4027.member_7, _e4027.member_8, _e3049, _e4027.member_10, _e4027.member_11, _e4027.member_12, _e4027.member_13, _e4027.member_14, _e4027.member_15, _e4027.member_16, _e4027.member_17, _e4027.member_18, _e4027.member_19, _e4027.member_20, _e4027.member_21, _e4027.member_22, _e4027.member_23, _e4027.member_24, _e4027.member_25, _e4027.member_26, _e4027.member_27);
-let _e4083 = type_26(_e4055.member, _e4055.member_1, _e4055.member_2, _e4055.member_3, _e4055.member_4, _e4055.member_5, _e4055.member_6, _e4055.member_7, _e4055.member_8, _e4055.member_9, _e3050, _e4055.member_11, _e4055.member_12, _e4055.member_13, _e4055.member_14, _e4055.member_15, _e4055.member_16, _e4055.member_17, _e4055.member_18, _e4055.member_19, _e4055.member_20, _e4055.member_21, _e4055.member_22, _e4055.member_23, _e4055.member_24, _e4055.member_25, _e4055.member_26, _e4055.member_27);
-phi_7609_ = type_26(_e4083.member, _e4083.member_1, _e4083.member_2, _e4083.member_3, _e4083.member_4, _e4083.member_5, _e4083.member_6, _e4083.member_7, _e4083.member_8, _e4083.member_9, _e4083.member_10, _e4083.member_11, _e4083.member_12, _e4083.member_13, _e4083.member_14, _e4083.member_15, _e4083.member_16, _e4083.member_17, _e4083.member_18, _e4083.member_19, _e4083.member_20, _e4083.member_21, _e4083.member_22, _e4083.member_23, _e4083.member_24, _e4083.member_25, _e4083.member_26, (_e2676.member_27 + _e2688));
+let _e3999 = type_27(_e3968.member, _e3968.member_1, _e3968.member_2, _e3968.member_3, _e3968.member_4, _e3970.member_3, _e3968.member_6, _e3968.member_7, _e3968.member_8, _e3968.member_9, _e3968.member_10, _e3968.member_11, _e3968.member_12, _e3968.member_13, _e3968.member_14, _e3968.member_15, _e3968.member_16, _e3968.member_17, _e3968.member_18, _e3968.member_19, _e3968.member_20, _e3968.member_21, _e3968.member_22, _e3968.member_23, _e3968.member_24, _e3968.member_25, _e3968.member_26, _e3968.member_27);
+let _e4027 = type_27(_e3999.member, _e3999.member_1, _e3999.member_2, _e3999.member_3, _e3999.member_4, _e3999.member_5, _e2682, _e3999.member_7, _e3999.member_8, _e3999.member_9, _e3999.member_10, _e3999.member_11, _e3999.member_12, _e3999.member_13, _e3999.member_14, _e3999.member_15, _e3999.member_16, _e3999.member_17, _e3999.member_18, _e3999.member_19, _e3999.member_20, _e3999.member_21, _e3999.member_22, _e3999.member_23, _e3999.member_24, _e3999.member_25, _e3999.member_26, _e3999.member_27);
+let _e4055 = type_27(_e4027.member, _e4027.member_1, _e4027.member_2, _e4027.member_3, _e4027.member_4, _e4027.member_5, _e4027.member_6, _e4027.member_7, _e4027.member_8, _e3049, _e4027.member_10, _e4027.member_11, _e4027.member_12, _e4027.member_13, _e4027.member_14, _e4027.member_15, _e4027.member_16, _e4027.member_17, _e4027.member_18, _e4027.member_19, _e4027.member_20, _e4027.member_21, _e4027.member_22, _e4027.member_23, _e4027.member_24, _e4027.member_25, _e4027.member_26, _e4027.member_27);
+let _e4083 = type_27(_e4055.member, _e4055.member_1, _e4055.member_2, _e4055.member_3, _e4055.member_4, _e4055.member_5, _e4055.member_6, _e4055.member_7, _e4055.member_8, _e4055.member_9, _e3050, _e4055.member_11, _e4055.member_12, _e4055.member_13, _e4055.member_14, _e4055.member_15, _e4055.member_16, _e4055.member_17, _e4055.member_18, _e4055.member_19, _e4055.member_20, _e4055.member_21, _e4055.member_22, _e4055.member_23, _e4055.member_24, _e4055.member_25, _e4055.member_26, _e4055.member_27);
+phi_7610_ = type_27(_e4083.member, _e4083.member_1, _e4083.member_2, _e4083.member_3, _e4083.member_4, _e4083.member_5, _e4083.member_6, _e4083.member_7, _e4083.member_8, _e4083.member_9, _e4083.member_10, _e4083.member_11, _e4083.member_12, _e4083.member_13, _e4083.member_14, _e4083.member_15, _e4083.member_16, _e4083.member_17, _e4083.member_18, _e4083.member_19, _e4083.member_20, _e4083.member_21, _e4083.member_22, _e4083.member_23, _e4083.member_24, _e4083.member_25, _e4083.member_26, (_e2676.member_27 + _e2688));
 } else {
 let _e4121 = (1f / select(_e2973.member_1.x, select(1e-12f, -1e-12f, (_e2973.member_1.x < 0f)), (bitcast<f32>((bitcast<u32>(_e2973.member_1.x) & 2147483647u)) < 1e-12f)));
 let _e4129 = (1f / select(_e2973.member_1.y, select(1e-12f, -1e-12f, (_e2973.member_1.y < 0f)), (bitcast<f32>((bitcast<u32>(_e2973.member_1.y) & 2147483647u)) < 1e-12f)));
@@ -1712,14 +1724,14 @@ let _e4174 = (_e4173 > _e4171);
 let _e4175 = select(0f, _e4171, _e4174);
 let _e4177 = (select(0f, _e4173, _e4174) - _e4175);
 if _e698 {
-phi_7386_ = _e4177;
+phi_7387_ = _e4177;
 } else {
 let _e4179 = (_e4177 / f32(_e697));
-phi_6661_ = 0u;
-phi_6664_ = 0f;
+phi_6662_ = 0u;
+phi_6665_ = 0f;
 loop {
-let _e4181 = phi_6661_;
-let _e4183 = phi_6664_;
+let _e4181 = phi_6662_;
+let _e4183 = phi_6665_;
 local_66 = _e4183;
 let _e4186 = ((_e4181 < _e697) && (_e4177 > 0f));
 if _e4186 {
@@ -1771,29 +1783,29 @@ local_2 = (_e4227 - f32(_e4264));
 let _e4301 = (_e4264 + 1i);
 let _e4303 = select(_e4301, 0i, (_e4301 < 0i));
 if (_e4303 >= _e4206) {
-phi_6805_ = (_e4206 - 1i);
+phi_6806_ = (_e4206 - 1i);
 } else {
-phi_6805_ = _e4303;
+phi_6806_ = _e4303;
 }
-let _e4307 = phi_6805_;
+let _e4307 = phi_6806_;
 local_3 = (_e4307 - _e4264);
 let _e4309 = (_e4279 + 1i);
 let _e4311 = select(_e4309, 0i, (_e4309 < 0i));
 if (_e4311 >= _e4211) {
-phi_6818_ = (_e4211 - 1i);
+phi_6819_ = (_e4211 - 1i);
 } else {
-phi_6818_ = _e4311;
+phi_6819_ = _e4311;
 }
-let _e4315 = phi_6818_;
+let _e4315 = phi_6819_;
 let _e4317 = ((_e4315 - _e4279) * _e4206);
 let _e4318 = (_e4294 + 1i);
 let _e4320 = select(_e4318, 0i, (_e4318 < 0i));
 if (_e4320 >= _e4216) {
-phi_6832_ = (_e4216 - 1i);
+phi_6833_ = (_e4216 - 1i);
 } else {
-phi_6832_ = _e4320;
+phi_6833_ = _e4320;
 }
-let _e4324 = phi_6832_;
+let _e4324 = phi_6833_;
 let _e4331 = global_3.member.member_13.member_10;
 let _e4332 = bitcast<i32>(_e4331);
 let _e4337 = ((_e4332 + (((_e4294 * _e4211) + _e4279) * _e4206)) + _e4264);
@@ -1862,29 +1874,29 @@ local = (_e4456 - f32(_e4487));
 let _e4524 = (_e4487 + 1i);
 let _e4526 = select(_e4524, 0i, (_e4524 < 0i));
 if (_e4526 >= _e4206) {
-phi_7154_ = (_e4206 - 1i);
+phi_7155_ = (_e4206 - 1i);
 } else {
-phi_7154_ = _e4526;
+phi_7155_ = _e4526;
 }
-let _e4530 = phi_7154_;
+let _e4530 = phi_7155_;
 local_1 = (_e4530 - _e4487);
 let _e4532 = (_e4502 + 1i);
 let _e4534 = select(_e4532, 0i, (_e4532 < 0i));
 if (_e4534 >= _e4211) {
-phi_7167_ = (_e4211 - 1i);
+phi_7168_ = (_e4211 - 1i);
 } else {
-phi_7167_ = _e4534;
+phi_7168_ = _e4534;
 }
-let _e4538 = phi_7167_;
+let _e4538 = phi_7168_;
 let _e4540 = ((_e4538 - _e4502) * _e4206);
 let _e4541 = (_e4517 + 1i);
 let _e4543 = select(_e4541, 0i, (_e4541 < 0i));
 if (_e4543 >= _e4216) {
-phi_7181_ = (_e4216 - 1i);
+phi_7182_ = (_e4216 - 1i);
 } else {
-phi_7181_ = _e4543;
+phi_7182_ = _e4543;
 }
-let _e4547 = phi_7181_;
+let _e4547 = phi_7182_;
 let _e4555 = ((_e4332 + (((_e4517 * _e4211) + _e4502) * _e4206)) + _e4487);
 let _e4557 = select(_e4339, _e4555, (_e4555 < _e4339));
 let _e4562 = global_1.member[bitcast<u32>(select(0i, _e4557, (_e4557 > 0i)))];
@@ -1922,25 +1934,25 @@ let _e4641 = (_e4629 + _e4640);
 let _e4643 = select(_e4339, _e4641, (_e4641 < _e4339));
 let _e4648 = global_1.member[bitcast<u32>(select(0i, _e4643, (_e4643 > 0i)))];
 let _e4649 = local;
-phi_6662_ = (_e4181 + 1u);
-phi_6665_ = (_e4183 + ((0.5f * (((((((_e4346 * (1f - _e4347)) + (_e4358 * _e4359)) * _e4362) + (((_e4371 * (1f - _e4372)) + (_e4383 * _e4384)) * _e4298)) * (1f - _e4300)) + (((((_e4396 * (1f - _e4397)) + (_e4408 * _e4409)) * _e4362) + (((_e4420 * (1f - _e4421)) + (_e4432 * _e4433)) * _e4298)) * _e4300)) + ((((((_e4562 * (1f - _e4563)) + (_e4574 * _e4575)) * _e4578) + (((_e4587 * (1f - _e4588)) + (_e4599 * _e4600)) * _e4521)) * (1f - _e4523)) + (((((_e4612 * (1f - _e4613)) + (_e4624 * _e4625)) * _e4578) + (((_e4636 * (1f - _e4637)) + (_e4648 * _e4649)) * _e4521)) * _e4523)))) * _e4193));
+phi_6663_ = (_e4181 + 1u);
+phi_6666_ = (_e4183 + ((0.5f * (((((((_e4346 * (1f - _e4347)) + (_e4358 * _e4359)) * _e4362) + (((_e4371 * (1f - _e4372)) + (_e4383 * _e4384)) * _e4298)) * (1f - _e4300)) + (((((_e4396 * (1f - _e4397)) + (_e4408 * _e4409)) * _e4362) + (((_e4420 * (1f - _e4421)) + (_e4432 * _e4433)) * _e4298)) * _e4300)) + ((((((_e4562 * (1f - _e4563)) + (_e4574 * _e4575)) * _e4578) + (((_e4587 * (1f - _e4588)) + (_e4599 * _e4600)) * _e4521)) * (1f - _e4523)) + (((((_e4612 * (1f - _e4613)) + (_e4624 * _e4625)) * _e4578) + (((_e4636 * (1f - _e4637)) + (_e4648 * _e4649)) * _e4521)) * _e4523)))) * _e4193));
 } else {
-phi_6662_ = u32();
-phi_6665_ = f32();
+phi_6663_ = u32();
+phi_6666_ = f32();
 }
-let _e4664 = phi_6662_;
-let _e4666 = phi_6665_;
+let _e4664 = phi_6663_;
+let _e4666 = phi_6666_;
 continue;
 continuing {
-phi_6661_ = _e4664;
-phi_6664_ = _e4666;
+phi_6662_ = _e4664;
+phi_6665_ = _e4666;
 break if !(_e4186);
 }
 }
 let _e5393 = local_66;
-phi_7386_ = _e5393;
+phi_7387_ = _e5393;
 }
-let _e4669 = phi_7386_;
+let _e4669 = phi_7387_;
 let _e4671 = -((_e1194.member * _e4669));
 let _e4673 = select(-87f, _e4671, (_e4671 > -87f));
 let _e4675 = select(88f, _e4673, (_e4673 < 88f));
@@ -1972,32 +1984,32 @@ let _e4788 = (_e4784 - select(0i, 1i, (_e4777 < f32(_e4784))));
 let _e4789 = f32(_e4788);
 let _e4793 = ((_e4771 - (_e4789 * 0.6933594f)) - (_e4789 * -2.1219444e-4f));
 let _e4819 = ((((_e2682.x * ((1f + (_e4697 * (1f + (_e4697 * (0.5f + (_e4697 * (0.16666667f + (_e4697 * (0.041666668f + (_e4697 * (0.008333334f + (_e4697 * (0.001388889f + (_e4697 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4692 + 127i)) << bitcast<u32>(23i))))) + (_e2682.y * ((1f + (_e4745 * (1f + (_e4745 * (0.5f + (_e4745 * (0.16666667f + (_e4745 * (0.041666668f + (_e4745 * (0.008333334f + (_e4745 * (0.001388889f + (_e4745 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4740 + 127i)) << bitcast<u32>(23i)))))) + (_e2682.z * ((1f + (_e4793 * (1f + (_e4793 * (0.5f + (_e4793 * (0.16666667f + (_e4793 * (0.041666668f + (_e4793 * (0.008333334f + (_e4793 * (0.001388889f + (_e4793 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4788 + 127i)) << bitcast<u32>(23i)))))) * _e1344);
-let _e4850 = type_26(_e2676.member, _e2676.member_1, _e2676.member_2, _e2676.member_3, _e2676.member_4, _e2676.member_5, _e2676.member_6, _e2676.member_7, _e2676.member_8, _e2676.member_9, _e2676.member_10, _e2676.member_11, _e2676.member_12, _e2676.member_13, _e2676.member_14, _e2676.member_15, _e2676.member_16, _e2676.member_17, _e2676.member_18, _e2676.member_19, _e2676.member_20, _e2676.member_21, _e2676.member_22, _e2676.member_23, _e2676.member_24, _e2676.member_25, (_e2676.member_26 + (_e2688 - _e4819)), _e2676.member_27);
+let _e4850 = type_27(_e2676.member, _e2676.member_1, _e2676.member_2, _e2676.member_3, _e2676.member_4, _e2676.member_5, _e2676.member_6, _e2676.member_7, _e2676.member_8, _e2676.member_9, _e2676.member_10, _e2676.member_11, _e2676.member_12, _e2676.member_13, _e2676.member_14, _e2676.member_15, _e2676.member_16, _e2676.member_17, _e2676.member_18, _e2676.member_19, _e2676.member_20, _e2676.member_21, _e2676.member_22, _e2676.member_23, _e2676.member_24, _e2676.member_25, (_e2676.member_26 + (_e2688 - _e4819)), _e2676.member_27);
 let _e4851 = (_e3049 == -1i);
-let _e4882 = type_26(_e4850.member, _e4850.member_1, _e4850.member_2, _e4850.member_3, _e4850.member_4, _e4850.member_5, _e4850.member_6, _e4850.member_7, _e4850.member_8, _e4850.member_9, _e4850.member_10, _e4850.member_11, _e4850.member_12, _e4850.member_13, _e4850.member_14, _e4850.member_15, _e4850.member_16, _e4850.member_17, _e4850.member_18, _e4850.member_19, _e4850.member_20, _e4850.member_21, _e4850.member_22, (_e2676.member_23 + select(0f, _e4819, _e4851)), _e4850.member_24, _e4850.member_25, _e4850.member_26, _e4850.member_27);
-phi_7609_ = type_26(_e4882.member, _e4882.member_1, _e4882.member_2, _e4882.member_3, _e4882.member_4, _e4882.member_5, _e4882.member_6, _e4882.member_7, _e4882.member_8, _e4882.member_9, _e4882.member_10, _e4882.member_11, _e4882.member_12, _e4882.member_13, _e4882.member_14, _e4882.member_15, _e4882.member_16, _e4882.member_17, _e4882.member_18, _e4882.member_19, _e4882.member_20, _e4882.member_21, _e4882.member_22, _e4882.member_23, (_e2676.member_24 + select(_e4819, 0f, _e4851)), _e4882.member_25, _e4882.member_26, _e4882.member_27);
+let _e4882 = type_27(_e4850.member, _e4850.member_1, _e4850.member_2, _e4850.member_3, _e4850.member_4, _e4850.member_5, _e4850.member_6, _e4850.member_7, _e4850.member_8, _e4850.member_9, _e4850.member_10, _e4850.member_11, _e4850.member_12, _e4850.member_13, _e4850.member_14, _e4850.member_15, _e4850.member_16, _e4850.member_17, _e4850.member_18, _e4850.member_19, _e4850.member_20, _e4850.member_21, _e4850.member_22, (_e2676.member_23 + select(0f, _e4819, _e4851)), _e4850.member_24, _e4850.member_25, _e4850.member_26, _e4850.member_27);
+phi_7610_ = type_27(_e4882.member, _e4882.member_1, _e4882.member_2, _e4882.member_3, _e4882.member_4, _e4882.member_5, _e4882.member_6, _e4882.member_7, _e4882.member_8, _e4882.member_9, _e4882.member_10, _e4882.member_11, _e4882.member_12, _e4882.member_13, _e4882.member_14, _e4882.member_15, _e4882.member_16, _e4882.member_17, _e4882.member_18, _e4882.member_19, _e4882.member_20, _e4882.member_21, _e4882.member_22, _e4882.member_23, (_e2676.member_24 + select(_e4819, 0f, _e4851)), _e4882.member_25, _e4882.member_26, _e4882.member_27);
 }
-let _e4915 = phi_7609_;
-phi_7610_ = _e4915;
+let _e4915 = phi_7610_;
+phi_7611_ = _e4915;
 } else {
-phi_7610_ = _e2676;
+phi_7611_ = _e2676;
 }
-let _e4917 = phi_7610_;
-phi_7611_ = _e4917;
+let _e4917 = phi_7611_;
+phi_7612_ = _e4917;
 }
-let _e4919 = phi_7611_;
-phi_3953_ = _e4919;
-phi_3956_ = (_e2678 + 1i);
+let _e4919 = phi_7612_;
+phi_3954_ = _e4919;
+phi_3957_ = (_e2678 + 1i);
 } else {
-phi_3953_ = type_26();
-phi_3956_ = i32();
+phi_3954_ = type_27();
+phi_3957_ = i32();
 }
-let _e4922 = phi_3953_;
-let _e4924 = phi_3956_;
+let _e4922 = phi_3954_;
+let _e4924 = phi_3957_;
 continue;
 continuing {
-phi_3952_ = _e4922;
-phi_3955_ = _e4924;
+phi_3953_ = _e4922;
+phi_3956_ = _e4924;
 break if !(_e2679);
 }
 }
@@ -2043,31 +2055,31 @@ let _e5074 = local_60;
 let _e5077 = local_61;
 let _e5080 = local_62;
 let _e5083 = local_63;
-phi_7668_ = array<f32, 42>();
-phi_7669_ = array<f32, 42>(_e4927.member.x, _e4931.member.y, _e4935.member.z, _e4939.member_1.x, _e4943.member_1.y, _e4947.member_1.z, _e4951.member_2.x, _e4955.member_2.y, _e4959.member_2.z, _e4963.member_3.x, _e4967.member_3.y, _e4971.member_3.z, _e4975.member_4.x, _e4979.member_4.y, _e4983.member_4.z, _e4987.member_5.x, _e4991.member_5.y, _e4995.member_5.z, _e4999.member_6.x, _e5003.member_6.y, _e5007.member_6.z, f32(_e5011.member_7), f32(_e5015.member_8), f32(_e5019.member_9), _e5023.member_10, f32(_e5026.member_11), f32(_e5030.member_12), _e5034.member_13, _e5037.member_14, _e5040.member_15, f32(_e5043.member_16), f32(_e5047.member_17), f32(_e5051.member_18), f32(_e5055.member_19), f32(_e5059.member_20), f32(_e5063.member_21), f32(_e5067.member_22), _e5071.member_23, _e5074.member_24, _e5077.member_25, _e5080.member_26, _e5083.member_27);
+phi_7669_ = array<f32, 42>();
+phi_7670_ = array<f32, 42>(_e4927.member.x, _e4931.member.y, _e4935.member.z, _e4939.member_1.x, _e4943.member_1.y, _e4947.member_1.z, _e4951.member_2.x, _e4955.member_2.y, _e4959.member_2.z, _e4963.member_3.x, _e4967.member_3.y, _e4971.member_3.z, _e4975.member_4.x, _e4979.member_4.y, _e4983.member_4.z, _e4987.member_5.x, _e4991.member_5.y, _e4995.member_5.z, _e4999.member_6.x, _e5003.member_6.y, _e5007.member_6.z, f32(_e5011.member_7), f32(_e5015.member_8), f32(_e5019.member_9), _e5023.member_10, f32(_e5026.member_11), f32(_e5030.member_12), _e5034.member_13, _e5037.member_14, _e5040.member_15, f32(_e5043.member_16), f32(_e5047.member_17), f32(_e5051.member_18), f32(_e5055.member_19), f32(_e5059.member_20), f32(_e5063.member_21), f32(_e5067.member_22), _e5071.member_23, _e5074.member_24, _e5077.member_25, _e5080.member_26, _e5083.member_27);
 }
-let _e5087 = phi_7668_;
-let _e5089 = phi_7669_;
-phi_7670_ = _e5087;
-phi_7671_ = _e5089;
-phi_7672_ = _e2214;
+let _e5087 = phi_7669_;
+let _e5089 = phi_7670_;
+phi_7671_ = _e5087;
+phi_7672_ = _e5089;
+phi_7673_ = _e2214;
 }
-let _e5091 = phi_7670_;
-let _e5093 = phi_7671_;
-let _e5095 = phi_7672_;
-phi_7676_ = _e5091;
-phi_7677_ = _e5093;
-phi_7678_ = _e5095;
+let _e5091 = phi_7671_;
+let _e5093 = phi_7672_;
+let _e5095 = phi_7673_;
+phi_7677_ = _e5091;
+phi_7678_ = _e5093;
+phi_7679_ = _e5095;
 }
-let _e5097 = phi_7676_;
-let _e5099 = phi_7677_;
-let _e5101 = phi_7678_;
+let _e5097 = phi_7677_;
+let _e5099 = phi_7678_;
+let _e5101 = phi_7679_;
 if _e5101 {
-phi_7682_ = _e5097;
+phi_7683_ = _e5097;
 } else {
-phi_7682_ = _e5099;
+phi_7683_ = _e5099;
 }
-let _e5103 = phi_7682_;
+let _e5103 = phi_7683_;
 global_2.member[_e141] = _e5103[0];
 global_2.member[(_e139 + _e141)] = _e5103[1];
 global_2.member[((2u * _e139) + _e141)] = _e5103[2];

@@ -57,10 +57,26 @@ member_2: type_5,
 member_3: type_5,
 member_4: type_10,
 }
+struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
 struct type_13 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
 member: array<f32>,
 }
-struct type_17 {
+struct type_19 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -80,11 +96,7 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_18 {
-member: u32,
-member_1: u32,
-}
-struct type_19 {
+struct type_20 {
 member: u32,
 member_1: type_5,
 member_2: type_5,
@@ -95,7 +107,7 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -114,7 +126,7 @@ member_14: f32,
 member_15: f32,
 member_16: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_5,
 member_1: type_5,
 member_2: f32,
@@ -128,7 +140,7 @@ member_9: u32,
 member_10: u32,
 member_11: u32,
 }
-struct type_22 {
+struct type_23 {
 member: f32,
 member_1: u32,
 member_2: u32,
@@ -140,15 +152,15 @@ member_7: u32,
 member_8: u32,
 member_9: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_5,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
-member_1: type_18,
+member_1: type_13,
 member_2: type_4,
 member_3: type_5,
 member_4: type_5,
@@ -158,20 +170,20 @@ member_7: f32,
 member_8: type_5,
 member_9: type_5,
 member_10: type_11,
-member_11: type_19,
-member_12: type_20,
-member_13: type_21,
+member_11: type_20,
+member_12: type_21,
+member_13: type_22,
 member_14: type_9,
 member_15: type_6,
-member_16: type_5,
+member_16: type_12,
 member_17: u32,
-member_18: type_22,
-member_19: type_23,
-}
-struct type_25 {
-member: type_24,
+member_18: type_23,
+member_19: type_24,
 }
 struct type_26 {
+member: type_25,
+}
+struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -201,29 +213,29 @@ member_25: f32,
 member_26: f32,
 member_27: f32,
 }
-struct type_27 {
+struct type_28 {
 member: i32,
 member_1: i32,
 member_2: f32,
 member_3: f32,
 member_4: f32,
 }
-struct type_30 {
+struct type_31 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_13;
+var<storage> global_1: type_15;
 @group(0) @binding(2)
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(3)
-var<storage> global_3: type_13;
+var<storage> global_3: type_15;
 @group(0) @binding(4)
-var<storage, read_write> global_4: type_13;
+var<storage, read_write> global_4: type_15;
 @group(0) @binding(0)
-var<storage> global_5: type_25;
+var<storage> global_5: type_26;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_30;
+var<storage, read_write> global_6: type_31;
 fn function_() {
 var local: f32;
 var local_1: i32;
@@ -241,174 +253,174 @@ var local_12: f32;
 var local_13: i32;
 var local_14: f32;
 var local_15: i32;
-var phi_2212_: u32;
-var phi_2215_: f32;
-var phi_2356_: i32;
-var phi_2369_: i32;
-var phi_2383_: i32;
-var phi_2705_: i32;
-var phi_2718_: i32;
-var phi_2732_: i32;
 var phi_2213_: u32;
 var phi_2216_: f32;
-var phi_2937_: f32;
-var phi_3165_: f32;
-var phi_3192_: type_26;
-var phi_3193_: type_26;
-var phi_3213_: type_26;
-var phi_3215_: type_26;
-var phi_3218_: i32;
-var phi_3220_: bool;
-var phi_4561_: i32;
-var phi_4564_: i32;
+var phi_2357_: i32;
+var phi_2370_: i32;
+var phi_2384_: i32;
+var phi_2706_: i32;
+var phi_2719_: i32;
+var phi_2733_: i32;
+var phi_2214_: u32;
+var phi_2217_: f32;
+var phi_2938_: f32;
+var phi_3166_: f32;
+var phi_3193_: type_27;
+var phi_3194_: type_27;
+var phi_3214_: type_27;
+var phi_3216_: type_27;
+var phi_3219_: i32;
+var phi_3221_: bool;
 var phi_4562_: i32;
 var phi_4565_: i32;
+var phi_4563_: i32;
+var phi_4566_: i32;
 var local_16: i32;
-var phi_4683_: i32;
-var phi_4686_: i32;
 var phi_4684_: i32;
 var phi_4687_: i32;
+var phi_4685_: i32;
+var phi_4688_: i32;
 var local_17: i32;
-var phi_6109_: f32;
-var phi_4865_: u32;
-var phi_4868_: f32;
-var phi_5009_: i32;
-var phi_5022_: i32;
-var phi_5036_: i32;
-var phi_5358_: i32;
-var phi_5371_: i32;
-var phi_5385_: i32;
+var phi_6110_: f32;
 var phi_4866_: u32;
 var phi_4869_: f32;
-var phi_5590_: f32;
-var phi_5823_: f32;
-var phi_6113_: type_26;
+var phi_5010_: i32;
+var phi_5023_: i32;
+var phi_5037_: i32;
+var phi_5359_: i32;
+var phi_5372_: i32;
+var phi_5386_: i32;
+var phi_4867_: u32;
+var phi_4870_: f32;
+var phi_5591_: f32;
+var phi_5824_: f32;
+var phi_6114_: type_27;
 var local_18: i32;
 var local_19: i32;
 var local_20: i32;
 var local_21: i32;
 var local_22: i32;
-var phi_8842_: f32;
 var phi_8843_: f32;
-var phi_9076_: f32;
+var phi_8844_: f32;
+var phi_9077_: f32;
 var local_23: i32;
 var local_24: i32;
 var local_25: i32;
-var phi_9880_: type_26;
-var phi_9890_: type_26;
-var phi_9891_: type_26;
-var phi_9911_: type_26;
-var phi_10066_: vec3<f32>;
-var phi_10192_: vec3<f32>;
-var phi_10210_: type_26;
-var phi_9207_: f32;
-var phi_10211_: type_26;
-var phi_10366_: f32;
-var phi_10410_: type_26;
-var phi_11429_: u32;
-var phi_11432_: f32;
-var phi_11573_: i32;
-var phi_11586_: i32;
-var phi_11600_: i32;
-var phi_11922_: i32;
-var phi_11935_: i32;
-var phi_11949_: i32;
+var phi_9881_: type_27;
+var phi_9891_: type_27;
+var phi_9892_: type_27;
+var phi_9912_: type_27;
+var phi_10067_: vec3<f32>;
+var phi_10193_: vec3<f32>;
+var phi_10211_: type_27;
+var phi_9208_: f32;
+var phi_10212_: type_27;
+var phi_10367_: f32;
+var phi_10411_: type_27;
 var phi_11430_: u32;
 var phi_11433_: f32;
-var phi_12154_: f32;
-var phi_12382_: f32;
-var phi_12409_: type_26;
-var phi_12410_: type_26;
-var phi_12411_: type_26;
-var phi_12412_: type_26;
-var phi_12413_: type_26;
-var phi_6167_: f32;
-var phi_6179_: type_26;
-var phi_6220_: type_26;
-var phi_7239_: u32;
-var phi_7242_: f32;
-var phi_7383_: i32;
-var phi_7396_: i32;
-var phi_7410_: i32;
-var phi_7732_: i32;
-var phi_7745_: i32;
-var phi_7759_: i32;
+var phi_11574_: i32;
+var phi_11587_: i32;
+var phi_11601_: i32;
+var phi_11923_: i32;
+var phi_11936_: i32;
+var phi_11950_: i32;
+var phi_11431_: u32;
+var phi_11434_: f32;
+var phi_12155_: f32;
+var phi_12383_: f32;
+var phi_12410_: type_27;
+var phi_12411_: type_27;
+var phi_12412_: type_27;
+var phi_12413_: type_27;
+var phi_12414_: type_27;
+var phi_6168_: f32;
+var phi_6180_: type_27;
+var phi_6221_: type_27;
 var phi_7240_: u32;
 var phi_7243_: f32;
-var phi_7964_: f32;
-var phi_8192_: f32;
-var phi_8219_: type_26;
-var phi_8220_: type_26;
-var phi_12414_: type_26;
-var phi_12415_: type_26;
-var phi_12416_: bool;
-var phi_12420_: type_26;
-var phi_12421_: type_26;
-var phi_3446_: f32;
-var phi_3759_: i32;
-var phi_4370_: i32;
-var phi_4520_: type_27;
-var phi_4514_: bool;
+var phi_7384_: i32;
+var phi_7397_: i32;
+var phi_7411_: i32;
+var phi_7733_: i32;
+var phi_7746_: i32;
+var phi_7760_: i32;
+var phi_7241_: u32;
+var phi_7244_: f32;
+var phi_7965_: f32;
+var phi_8193_: f32;
+var phi_8220_: type_27;
+var phi_8221_: type_27;
+var phi_12415_: type_27;
+var phi_12416_: type_27;
+var phi_12417_: bool;
+var phi_12421_: type_27;
+var phi_12422_: type_27;
+var phi_3447_: f32;
+var phi_3760_: i32;
+var phi_4371_: i32;
+var phi_4521_: type_28;
 var phi_4515_: bool;
-var phi_4521_: type_27;
-var phi_4522_: bool;
-var phi_4529_: type_17;
-var phi_4530_: type_27;
-var phi_4531_: type_17;
-var phi_4533_: type_27;
-var phi_4534_: type_17;
-var phi_4535_: bool;
-var phi_4539_: type_27;
-var phi_4540_: type_17;
-var phi_4541_: bool;
-var phi_4545_: type_27;
-var phi_4546_: type_17;
-var phi_12423_: type_26;
-var phi_12424_: bool;
-var phi_3216_: type_26;
-var phi_3219_: i32;
-var phi_3221_: bool;
-var local_26: type_26;
-var local_27: type_26;
-var local_28: type_26;
-var local_29: type_26;
-var local_30: type_26;
-var local_31: type_26;
-var local_32: type_26;
-var local_33: type_26;
-var local_34: type_26;
-var local_35: type_26;
-var local_36: type_26;
-var local_37: type_26;
-var local_38: type_26;
-var local_39: type_26;
-var local_40: type_26;
-var local_41: type_26;
-var local_42: type_26;
-var local_43: type_26;
-var local_44: type_26;
-var local_45: type_26;
-var local_46: type_26;
-var local_47: type_26;
-var local_48: type_26;
-var local_49: type_26;
-var local_50: type_26;
-var local_51: type_26;
-var local_52: type_26;
-var local_53: type_26;
-var local_54: type_26;
-var local_55: type_26;
-var local_56: type_26;
-var local_57: type_26;
-var local_58: type_26;
-var local_59: type_26;
-var local_60: type_26;
-var local_61: type_26;
-var local_62: type_26;
-var local_63: type_26;
-var local_64: type_26;
-var local_65: type_26;
-var local_66: type_26;
+var phi_4516_: bool;
+var phi_4522_: type_28;
+var phi_4523_: bool;
+var phi_4530_: type_19;
+var phi_4531_: type_28;
+var phi_4532_: type_19;
+var phi_4534_: type_28;
+var phi_4535_: type_19;
+var phi_4536_: bool;
+var phi_4540_: type_28;
+var phi_4541_: type_19;
+var phi_4542_: bool;
+var phi_4546_: type_28;
+var phi_4547_: type_19;
+var phi_12424_: type_27;
+var phi_12425_: bool;
+var phi_3217_: type_27;
+var phi_3220_: i32;
+var phi_3222_: bool;
+var local_26: type_27;
+var local_27: type_27;
+var local_28: type_27;
+var local_29: type_27;
+var local_30: type_27;
+var local_31: type_27;
+var local_32: type_27;
+var local_33: type_27;
+var local_34: type_27;
+var local_35: type_27;
+var local_36: type_27;
+var local_37: type_27;
+var local_38: type_27;
+var local_39: type_27;
+var local_40: type_27;
+var local_41: type_27;
+var local_42: type_27;
+var local_43: type_27;
+var local_44: type_27;
+var local_45: type_27;
+var local_46: type_27;
+var local_47: type_27;
+var local_48: type_27;
+var local_49: type_27;
+var local_50: type_27;
+var local_51: type_27;
+var local_52: type_27;
+var local_53: type_27;
+var local_54: type_27;
+var local_55: type_27;
+var local_56: type_27;
+var local_57: type_27;
+var local_58: type_27;
+var local_59: type_27;
+var local_60: type_27;
+var local_61: type_27;
+var local_62: type_27;
+var local_63: type_27;
+var local_64: type_27;
+var local_65: type_27;
+var local_66: type_27;
 var local_67: f32;
 var local_68: f32;
 var local_69: f32;
@@ -705,7 +717,7 @@ let _e1071 = ((((_e1001.member.member * _e1038) + (_e1001.member.member_1 * _e10
 let _e1075 = ((_e1071 / _e1022) - 0.015625f);
 let _e1078 = select(1e30f, select(0f, _e1075, (_e1075 > 0f)), ((_e1071 > 0f) && _e1020));
 let _e1082 = (_e1078 < _e1065);
-let _e1086 = type_26((vec3<f32>(_e825, _e826, _e827) + vec3<f32>(_e1035, _e1036, _e1037)), vec3<f32>(_e838, _e839, _e840), (vec3<f32>(select(0f, _e844, _e803), select(0f, _e845, _e803), select(0f, _e846, _e803)) + vec3<f32>((_e874 * _e1034), (_e875 * _e1034), (_e876 * _e1034))), (vec3<f32>(select(0f, _e849, _e803), select(0f, _e850, _e803), select(0f, _e851, _e803)) + vec3<f32>((_e892 * _e1034), (_e893 * _e1034), (_e894 * _e1034))), vec3<f32>(_e874, _e875, _e876), vec3<f32>(_e892, _e893, _e894), vec3<f32>(1f, 1f, 1f), 0i, 0i, select(select(-2i, -3i, _e1082), -1i, ((_e1065 >= 1e30f) && (_e1078 >= 1e30f))), select(_e1065, _e1078, _e1082), 0i, 0i, 0f, _e481, 1f, 0i, _e713, _e720, _e727, _e734, _e741, _e631, _e580, _e591, _e602, _e613, _e624);
+let _e1086 = type_27((vec3<f32>(_e825, _e826, _e827) + vec3<f32>(_e1035, _e1036, _e1037)), vec3<f32>(_e838, _e839, _e840), (vec3<f32>(select(0f, _e844, _e803), select(0f, _e845, _e803), select(0f, _e846, _e803)) + vec3<f32>((_e874 * _e1034), (_e875 * _e1034), (_e876 * _e1034))), (vec3<f32>(select(0f, _e849, _e803), select(0f, _e850, _e803), select(0f, _e851, _e803)) + vec3<f32>((_e892 * _e1034), (_e893 * _e1034), (_e894 * _e1034))), vec3<f32>(_e874, _e875, _e876), vec3<f32>(_e892, _e893, _e894), vec3<f32>(1f, 1f, 1f), 0i, 0i, select(select(-2i, -3i, _e1082), -1i, ((_e1065 >= 1e30f) && (_e1078 >= 1e30f))), select(_e1065, _e1078, _e1082), 0i, 0i, 0f, _e481, 1f, 0i, _e713, _e720, _e727, _e734, _e741, _e631, _e580, _e591, _e602, _e613, _e624);
 let _e1090 = global_5.member.member_13.member_4;
 let _e1097 = global_5.member.member_13.member_5;
 let _e1102 = ((_e1090.member - _e825) * _e903);
@@ -731,14 +743,14 @@ let _e1138 = select(0f, _e1134, _e1137);
 let _e1140 = (select(0f, _e1136, _e1137) - _e1138);
 let _e1144 = global_5.member.member_13.member_6;
 if (_e1144 == 0u) {
-phi_2937_ = _e1140;
+phi_2938_ = _e1140;
 } else {
 let _e1147 = (_e1140 / f32(_e1144));
-phi_2212_ = 0u;
-phi_2215_ = 0f;
+phi_2213_ = 0u;
+phi_2216_ = 0f;
 loop {
-let _e1149 = phi_2212_;
-let _e1151 = phi_2215_;
+let _e1149 = phi_2213_;
+let _e1151 = phi_2216_;
 local_68 = _e1151;
 let _e1154 = ((_e1149 < _e1144) && (_e1140 > 0f));
 if _e1154 {
@@ -790,29 +802,29 @@ local_14 = (_e1195 - f32(_e1232));
 let _e1269 = (_e1232 + 1i);
 let _e1271 = select(_e1269, 0i, (_e1269 < 0i));
 if (_e1271 >= _e1174) {
-phi_2356_ = (_e1174 - 1i);
+phi_2357_ = (_e1174 - 1i);
 } else {
-phi_2356_ = _e1271;
+phi_2357_ = _e1271;
 }
-let _e1275 = phi_2356_;
+let _e1275 = phi_2357_;
 local_15 = (_e1275 - _e1232);
 let _e1277 = (_e1247 + 1i);
 let _e1279 = select(_e1277, 0i, (_e1277 < 0i));
 if (_e1279 >= _e1179) {
-phi_2369_ = (_e1179 - 1i);
+phi_2370_ = (_e1179 - 1i);
 } else {
-phi_2369_ = _e1279;
+phi_2370_ = _e1279;
 }
-let _e1283 = phi_2369_;
+let _e1283 = phi_2370_;
 let _e1285 = ((_e1283 - _e1247) * _e1174);
 let _e1286 = (_e1262 + 1i);
 let _e1288 = select(_e1286, 0i, (_e1286 < 0i));
 if (_e1288 >= _e1184) {
-phi_2383_ = (_e1184 - 1i);
+phi_2384_ = (_e1184 - 1i);
 } else {
-phi_2383_ = _e1288;
+phi_2384_ = _e1288;
 }
-let _e1292 = phi_2383_;
+let _e1292 = phi_2384_;
 let _e1299 = global_5.member.member_13.member_10;
 let _e1300 = bitcast<i32>(_e1299);
 let _e1305 = ((_e1300 + (((_e1262 * _e1179) + _e1247) * _e1174)) + _e1232);
@@ -881,29 +893,29 @@ local_12 = (_e1424 - f32(_e1455));
 let _e1492 = (_e1455 + 1i);
 let _e1494 = select(_e1492, 0i, (_e1492 < 0i));
 if (_e1494 >= _e1174) {
-phi_2705_ = (_e1174 - 1i);
+phi_2706_ = (_e1174 - 1i);
 } else {
-phi_2705_ = _e1494;
+phi_2706_ = _e1494;
 }
-let _e1498 = phi_2705_;
+let _e1498 = phi_2706_;
 local_13 = (_e1498 - _e1455);
 let _e1500 = (_e1470 + 1i);
 let _e1502 = select(_e1500, 0i, (_e1500 < 0i));
 if (_e1502 >= _e1179) {
-phi_2718_ = (_e1179 - 1i);
+phi_2719_ = (_e1179 - 1i);
 } else {
-phi_2718_ = _e1502;
+phi_2719_ = _e1502;
 }
-let _e1506 = phi_2718_;
+let _e1506 = phi_2719_;
 let _e1508 = ((_e1506 - _e1470) * _e1174);
 let _e1509 = (_e1485 + 1i);
 let _e1511 = select(_e1509, 0i, (_e1509 < 0i));
 if (_e1511 >= _e1184) {
-phi_2732_ = (_e1184 - 1i);
+phi_2733_ = (_e1184 - 1i);
 } else {
-phi_2732_ = _e1511;
+phi_2733_ = _e1511;
 }
-let _e1515 = phi_2732_;
+let _e1515 = phi_2733_;
 let _e1523 = ((_e1300 + (((_e1485 * _e1179) + _e1470) * _e1174)) + _e1455);
 let _e1525 = select(_e1307, _e1523, (_e1523 < _e1307));
 let _e1530 = global_3.member[bitcast<u32>(select(0i, _e1525, (_e1525 > 0i)))];
@@ -941,25 +953,25 @@ let _e1609 = (_e1597 + _e1608);
 let _e1611 = select(_e1307, _e1609, (_e1609 < _e1307));
 let _e1616 = global_3.member[bitcast<u32>(select(0i, _e1611, (_e1611 > 0i)))];
 let _e1617 = local_12;
-phi_2213_ = (_e1149 + 1u);
-phi_2216_ = (_e1151 + ((0.5f * (((((((_e1314 * (1f - _e1315)) + (_e1326 * _e1327)) * _e1330) + (((_e1339 * (1f - _e1340)) + (_e1351 * _e1352)) * _e1266)) * (1f - _e1268)) + (((((_e1364 * (1f - _e1365)) + (_e1376 * _e1377)) * _e1330) + (((_e1388 * (1f - _e1389)) + (_e1400 * _e1401)) * _e1266)) * _e1268)) + ((((((_e1530 * (1f - _e1531)) + (_e1542 * _e1543)) * _e1546) + (((_e1555 * (1f - _e1556)) + (_e1567 * _e1568)) * _e1489)) * (1f - _e1491)) + (((((_e1580 * (1f - _e1581)) + (_e1592 * _e1593)) * _e1546) + (((_e1604 * (1f - _e1605)) + (_e1616 * _e1617)) * _e1489)) * _e1491)))) * _e1161));
+phi_2214_ = (_e1149 + 1u);
+phi_2217_ = (_e1151 + ((0.5f * (((((((_e1314 * (1f - _e1315)) + (_e1326 * _e1327)) * _e1330) + (((_e1339 * (1f - _e1340)) + (_e1351 * _e1352)) * _e1266)) * (1f - _e1268)) + (((((_e1364 * (1f - _e1365)) + (_e1376 * _e1377)) * _e1330) + (((_e1388 * (1f - _e1389)) + (_e1400 * _e1401)) * _e1266)) * _e1268)) + ((((((_e1530 * (1f - _e1531)) + (_e1542 * _e1543)) * _e1546) + (((_e1555 * (1f - _e1556)) + (_e1567 * _e1568)) * _e1489)) * (1f - _e1491)) + (((((_e1580 * (1f - _e1581)) + (_e1592 * _e1593)) * _e1546) + (((_e1604 * (1f - _e1605)) + (_e1616 * _e1617)) * _e1489)) * _e1491)))) * _e1161));
 } else {
-phi_2213_ = u32();
-phi_2216_ = f32();
+phi_2214_ = u32();
+phi_2217_ = f32();
 }
-let _e1632 = phi_2213_;
-let _e1634 = phi_2216_;
+let _e1632 = phi_2214_;
+let _e1634 = phi_2217_;
 continue;
 continuing {
-phi_2212_ = _e1632;
-phi_2215_ = _e1634;
+phi_2213_ = _e1632;
+phi_2216_ = _e1634;
 break if !(_e1154);
 }
 }
 let _e10405 = local_68;
-phi_2937_ = _e10405;
+phi_2938_ = _e10405;
 }
-let _e1637 = phi_2937_;
+let _e1637 = phi_2938_;
 let _e1641 = global_5.member.member_13.member;
 let _e1646 = -((_e1641.member * _e1637));
 let _e1648 = select(-87f, _e1646, (_e1646 > -87f));
@@ -995,41 +1007,41 @@ let _e1791 = (1f / 3f);
 let _e1793 = (1f * ((1f + (_e1672 * (1f + (_e1672 * (0.5f + (_e1672 * (0.16666667f + (_e1672 * (0.041666668f + (_e1672 * (0.008333334f + (_e1672 * (0.001388889f + (_e1672 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1667 + 127i)) << bitcast<u32>(23i)))));
 let _e1794 = (1f * ((1f + (_e1720 * (1f + (_e1720 * (0.5f + (_e1720 * (0.16666667f + (_e1720 * (0.041666668f + (_e1720 * (0.008333334f + (_e1720 * (0.001388889f + (_e1720 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1715 + 127i)) << bitcast<u32>(23i)))));
 let _e1795 = (1f * ((1f + (_e1768 * (1f + (_e1768 * (0.5f + (_e1768 * (0.16666667f + (_e1768 * (0.041666668f + (_e1768 * (0.008333334f + (_e1768 * (0.001388889f + (_e1768 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1763 + 127i)) << bitcast<u32>(23i)))));
-let _e1824 = type_26(_e1086.member, _e1086.member_1, _e1086.member_2, _e1086.member_3, _e1086.member_4, _e1086.member_5, vec3<f32>(_e1793, _e1794, _e1795), _e1086.member_7, _e1086.member_8, _e1086.member_9, _e1086.member_10, _e1086.member_11, _e1086.member_12, _e1086.member_13, _e1086.member_14, _e1086.member_15, _e1086.member_16, _e1086.member_17, _e1086.member_18, _e1086.member_19, _e1086.member_20, _e1086.member_21, _e1086.member_22, _e1086.member_23, _e1086.member_24, _e1086.member_25, _e1086.member_26, _e1086.member_27);
+let _e1824 = type_27(_e1086.member, _e1086.member_1, _e1086.member_2, _e1086.member_3, _e1086.member_4, _e1086.member_5, vec3<f32>(_e1793, _e1794, _e1795), _e1086.member_7, _e1086.member_8, _e1086.member_9, _e1086.member_10, _e1086.member_11, _e1086.member_12, _e1086.member_13, _e1086.member_14, _e1086.member_15, _e1086.member_16, _e1086.member_17, _e1086.member_18, _e1086.member_19, _e1086.member_20, _e1086.member_21, _e1086.member_22, _e1086.member_23, _e1086.member_24, _e1086.member_25, _e1086.member_26, _e1086.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e734) {
-phi_3165_ = ((((1f + 1f) + 1f) * _e1791) - (((_e1793 + _e1794) + _e1795) * _e1791));
+phi_3166_ = ((((1f + 1f) + 1f) * _e1791) - (((_e1793 + _e1794) + _e1795) * _e1791));
 } else {
-phi_3165_ = 0f;
+phi_3166_ = 0f;
 }
-let _e1833 = phi_3165_;
-let _e1862 = type_26(_e1824.member, _e1824.member_1, _e1824.member_2, _e1824.member_3, _e1824.member_4, _e1824.member_5, _e1824.member_6, _e1824.member_7, _e1824.member_8, _e1824.member_9, _e1824.member_10, _e1824.member_11, _e1824.member_12, _e1824.member_13, _e1824.member_14, _e1824.member_15, _e1824.member_16, _e1824.member_17, _e1824.member_18, _e1824.member_19, _e1824.member_20, _e1824.member_21, _e1824.member_22, _e1824.member_23, _e1824.member_24, _e1824.member_25, (_e613 + _e1833), _e1824.member_27);
+let _e1833 = phi_3166_;
+let _e1862 = type_27(_e1824.member, _e1824.member_1, _e1824.member_2, _e1824.member_3, _e1824.member_4, _e1824.member_5, _e1824.member_6, _e1824.member_7, _e1824.member_8, _e1824.member_9, _e1824.member_10, _e1824.member_11, _e1824.member_12, _e1824.member_13, _e1824.member_14, _e1824.member_15, _e1824.member_16, _e1824.member_17, _e1824.member_18, _e1824.member_19, _e1824.member_20, _e1824.member_21, _e1824.member_22, _e1824.member_23, _e1824.member_24, _e1824.member_25, (_e613 + _e1833), _e1824.member_27);
 if _e1033 {
-phi_3192_ = type_26(_e1862.member, _e1862.member_1, _e1862.member_2, _e1862.member_3, _e1862.member_4, _e1862.member_5, _e1862.member_6, _e1862.member_7, (bitcast<i32>(_e142) / 8i), _e1862.member_9, _e1862.member_10, _e1862.member_11, _e1862.member_12, _e1862.member_13, _e1862.member_14, _e1862.member_15, _e1862.member_16, _e1862.member_17, _e1862.member_18, _e1862.member_19, _e1862.member_20, _e1862.member_21, _e1862.member_22, _e1862.member_23, _e1862.member_24, _e1862.member_25, _e1862.member_26, _e1862.member_27);
+phi_3193_ = type_27(_e1862.member, _e1862.member_1, _e1862.member_2, _e1862.member_3, _e1862.member_4, _e1862.member_5, _e1862.member_6, _e1862.member_7, (bitcast<i32>(_e142) / 8i), _e1862.member_9, _e1862.member_10, _e1862.member_11, _e1862.member_12, _e1862.member_13, _e1862.member_14, _e1862.member_15, _e1862.member_16, _e1862.member_17, _e1862.member_18, _e1862.member_19, _e1862.member_20, _e1862.member_21, _e1862.member_22, _e1862.member_23, _e1862.member_24, _e1862.member_25, _e1862.member_26, _e1862.member_27);
 } else {
-phi_3192_ = _e1862;
+phi_3193_ = _e1862;
 }
-let _e1894 = phi_3192_;
-phi_3193_ = _e1894;
+let _e1894 = phi_3193_;
+phi_3194_ = _e1894;
 } else {
-phi_3193_ = type_26(vec3<f32>(_e174, _e184, _e195), vec3<f32>(_e206, _e217, _e228), vec3<f32>(_e239, _e250, _e261), vec3<f32>(_e272, _e283, _e294), vec3<f32>(_e305, _e316, _e327), vec3<f32>(_e338, _e349, _e360), vec3<f32>(_e371, _e382, _e393), select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < -2147483600f)), 2147483647i, (_e404 > 2147483500f)), (_e404 == _e404)), select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < -2147483600f)), 2147483647i, (_e415 > 2147483500f)), (_e415 == _e415)), select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < -2147483600f)), 2147483647i, (_e426 > 2147483500f)), (_e426 == _e426)), _e437, select(0i, select(select(i32(_e448), i32(-2147483648), (_e448 < -2147483600f)), 2147483647i, (_e448 > 2147483500f)), (_e448 == _e448)), select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)), _e470, _e481, _e492, select(0i, select(select(i32(_e503), i32(-2147483648), (_e503 < -2147483600f)), 2147483647i, (_e503 > 2147483500f)), (_e503 == _e503)), _e713, _e720, _e727, _e734, _e741, _e631, _e580, _e591, _e602, _e613, _e624);
+phi_3194_ = type_27(vec3<f32>(_e174, _e184, _e195), vec3<f32>(_e206, _e217, _e228), vec3<f32>(_e239, _e250, _e261), vec3<f32>(_e272, _e283, _e294), vec3<f32>(_e305, _e316, _e327), vec3<f32>(_e338, _e349, _e360), vec3<f32>(_e371, _e382, _e393), select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < -2147483600f)), 2147483647i, (_e404 > 2147483500f)), (_e404 == _e404)), select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < -2147483600f)), 2147483647i, (_e415 > 2147483500f)), (_e415 == _e415)), select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < -2147483600f)), 2147483647i, (_e426 > 2147483500f)), (_e426 == _e426)), _e437, select(0i, select(select(i32(_e448), i32(-2147483648), (_e448 < -2147483600f)), 2147483647i, (_e448 > 2147483500f)), (_e448 == _e448)), select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < -2147483600f)), 2147483647i, (_e459 > 2147483500f)), (_e459 == _e459)), _e470, _e481, _e492, select(0i, select(select(i32(_e503), i32(-2147483648), (_e503 < -2147483600f)), 2147483647i, (_e503 > 2147483500f)), (_e503 == _e503)), _e713, _e720, _e727, _e734, _e741, _e631, _e580, _e591, _e602, _e613, _e624);
 }
-let _e1896 = phi_3193_;
+let _e1896 = phi_3194_;
 let _e1897 = bitcast<i32>(_e142);
 let _e1898 = (_e1897 / 8i);
 let _e1900 = (_e1896.member_15 == 2f);
 if _e1900 {
-phi_3213_ = type_26(_e1896.member, _e1896.member_1, _e1896.member_2, _e1896.member_3, _e1896.member_4, _e1896.member_5, _e1896.member_6, _e1896.member_7, _e1896.member_8, _e1896.member_9, _e1896.member_10, _e1896.member_11, _e1896.member_12, _e1896.member_13, _e1896.member_14, 1f, _e1896.member_16, _e1896.member_17, _e1896.member_18, _e1896.member_19, _e1896.member_20, _e1896.member_21, _e1896.member_22, _e1896.member_23, _e1896.member_24, _e1896.member_25, _e1896.member_26, _e1896.member_27);
+phi_3214_ = type_27(_e1896.member, _e1896.member_1, _e1896.member_2, _e1896.member_3, _e1896.member_4, _e1896.member_5, _e1896.member_6, _e1896.member_7, _e1896.member_8, _e1896.member_9, _e1896.member_10, _e1896.member_11, _e1896.member_12, _e1896.member_13, _e1896.member_14, 1f, _e1896.member_16, _e1896.member_17, _e1896.member_18, _e1896.member_19, _e1896.member_20, _e1896.member_21, _e1896.member_22, _e1896.member_23, _e1896.member_24, _e1896.member_25, _e1896.member_26, _e1896.member_27);
 } else {
-phi_3213_ = _e1896;
+phi_3214_ = _e1896;
 }
-let _e1930 = phi_3213_;
-phi_3215_ = _e1930;
-phi_3218_ = 0i;
-phi_3220_ = _e1900;
+let _e1930 = phi_3214_;
+phi_3216_ = _e1930;
+phi_3219_ = 0i;
+phi_3221_ = _e1900;
 loop {
-let _e1932 = phi_3215_;
-let _e1934 = phi_3218_;
-let _e1936 = phi_3220_;
+let _e1932 = phi_3216_;
+let _e1934 = phi_3219_;
+let _e1936 = phi_3221_;
 local_26 = _e1932;
 local_27 = _e1932;
 local_28 = _e1932;
@@ -1120,16 +1132,16 @@ let _e9396 = ((_e9355 * _e9386) - (_e9356 * _e9385));
 let _e9401 = (((_e9390 * _e9390) + (_e9393 * _e9393)) + (_e9396 * _e9396));
 let _e9404 = sqrt(select(0f, _e9401, (_e9401 > 0f)));
 let _e9407 = (1f / select(1e-20f, _e9404, (_e9404 > 1e-20f)));
-phi_3446_ = (((_e1932.member_1.x * (_e9390 * _e9407)) + (_e1932.member_1.y * (_e9393 * _e9407))) + (_e1932.member_1.z * (_e9396 * _e9407)));
+phi_3447_ = (((_e1932.member_1.x * (_e9390 * _e9407)) + (_e1932.member_1.y * (_e9393 * _e9407))) + (_e1932.member_1.z * (_e9396 * _e9407)));
 } else {
-phi_3446_ = 1f;
+phi_3447_ = 1f;
 }
-let _e9420 = phi_3446_;
+let _e9420 = phi_3447_;
 let _e9427 = select(0i, select(select(i32(_e9292), i32(-2147483648), (_e9292 < -2147483600f)), 2147483647i, (_e9292 > 2147483500f)), (_e9292 == _e9292));
 let _e9434 = select(0i, select(select(i32(_e9294), i32(-2147483648), (_e9294 < -2147483600f)), 2147483647i, (_e9294 > 2147483500f)), (_e9294 == _e9294));
 let _e9437 = bitcast<f32>((bitcast<u32>(_e9420) & 2147483647u));
 let _e9439 = select(1e-3f, _e9437, (_e9437 > 1e-3f));
-let _e9440 = type_27(_e9427, _e9434, _e1932.member_13, _e1932.member_14, _e9439);
+let _e9440 = type_28(_e9427, _e9434, _e1932.member_13, _e1932.member_14, _e9439);
 let _e9445 = global_5.member.member_12.member;
 let _e9448 = (_e1932.member_10 + select(0f, (_e9445 / _e9439), _e9298));
 let _e9452 = (_e1932.member_8 * 8i);
@@ -1177,20 +1189,20 @@ let _e9571 = (_e9452 + 6i);
 let _e9573 = select(_e9477, _e9571, (_e9571 < _e9477));
 let _e9579 = global_1.member[bitcast<u32>(select(0i, _e9573, (_e9573 > 0i)))];
 if _e9570 {
-phi_3759_ = (_e1932.member_8 + 1i);
+phi_3760_ = (_e1932.member_8 + 1i);
 } else {
 let _e9587 = (_e9452 + 7i);
 let _e9589 = select(_e9477, _e9587, (_e9587 < _e9477));
 let _e9595 = global_1.member[bitcast<u32>(select(0i, _e9589, (_e9589 > 0i)))];
-phi_3759_ = select(0i, select(select(i32(_e9595), i32(-2147483648), (_e9595 < -2147483600f)), 2147483647i, (_e9595 > 2147483500f)), (_e9595 == _e9595));
+phi_3760_ = select(0i, select(select(i32(_e9595), i32(-2147483648), (_e9595 < -2147483600f)), 2147483647i, (_e9595 > 2147483500f)), (_e9595 == _e9595));
 }
-let _e9605 = phi_3759_;
-let _e9606 = type_17(_e1932.member, _e1932.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9296, _e1932.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9605, _e1932.member_9, _e1932.member_10);
+let _e9605 = phi_3760_;
+let _e9606 = type_19(_e1932.member, _e1932.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9296, _e1932.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9605, _e1932.member_9, _e1932.member_10);
 let _e9607 = select(-1i, select(0i, select(select(i32(_e9579), i32(-2147483648), (_e9579 < -2147483600f)), 2147483647i, (_e9579 > 2147483500f)), (_e9579 == _e9579)), _e9570);
 if (_e9607 < 0i) {
-phi_4539_ = type_27();
-phi_4540_ = type_17();
-phi_4541_ = true;
+phi_4540_ = type_28();
+phi_4541_ = type_19();
+phi_4542_ = true;
 } else {
 let _e9611 = ((_e9455 >= _e9463) && (_e9455 >= _e9471));
 let _e9614 = (!(_e9611) && (_e9463 >= _e9471));
@@ -1250,9 +1262,9 @@ let _e9759 = ((_e9751 + _e9754) + _e9757);
 let _e9773 = (!(((((_e9751 < 0f) || (_e9754 < 0f)) || (_e9757 < 0f)) && (((_e9751 > 0f) || (_e9754 > 0f)) || (_e9757 > 0f)))) && (_e9759 != 0f));
 let _e9781 = select(1e30f, ((((_e9751 * (_e9661 * _e9621)) + (_e9754 * (_e9702 * _e9621))) + (_e9757 * (_e9743 * _e9621))) / select(1f, _e9759, _e9773)), _e9773);
 if (_e9781 >= _e9448) {
-phi_4533_ = type_27();
-phi_4534_ = type_17();
-phi_4535_ = true;
+phi_4534_ = type_28();
+phi_4535_ = type_19();
+phi_4536_ = true;
 } else {
 let _e9783 = (_e9675 - _e9634);
 let _e9784 = (_e9684 - _e9643);
@@ -1280,11 +1292,11 @@ let _e9848 = global_3.member[bitcast<u32>(select(0i, _e9842, (_e9842 > 0i)))];
 let _e9850 = select(_e9848, 1f, (_e9837 == 16i));
 let _e9851 = (_e9850 <= 0f);
 if _e9851 {
-phi_4370_ = 0i;
+phi_4371_ = 0i;
 } else {
-phi_4370_ = (1i << bitcast<u32>((_e9837 & 31i)));
+phi_4371_ = (1i << bitcast<u32>((_e9837 & 31i)));
 }
-let _e9856 = phi_4370_;
+let _e9856 = phi_4371_;
 let _e9857 = (_e9816 < 0f);
 let _e9858 = select(_e9856, 0i, _e9857);
 let _e9859 = select(0i, _e9856, _e9857);
@@ -1301,81 +1313,81 @@ let _e9917 = (_e9916 * 4i);
 let _e9919 = select(_e9840, _e9917, (_e9917 < _e9840));
 let _e9925 = global_3.member[bitcast<u32>(select(0i, _e9919, (_e9919 > 0i)))];
 if (_e9851 != (select(_e9925, 1f, (_e9916 == 16i)) <= 0f)) {
-phi_4515_ = _e9851;
+phi_4516_ = _e9851;
 } else {
 if (!(_e9851) && (_e9837 != _e9916)) {
-phi_4514_ = (_e9837 < _e9916);
+phi_4515_ = (_e9837 < _e9916);
 } else {
-phi_4514_ = _e9882;
+phi_4515_ = _e9882;
 }
-let _e9935 = phi_4514_;
-phi_4515_ = _e9935;
+let _e9935 = phi_4515_;
+phi_4516_ = _e9935;
 }
-let _e9937 = phi_4515_;
-phi_4521_ = type_27((_e9427 | _e9859), (_e9434 | _e9858), _e1932.member_13, select(_e9781, _e1932.member_14, (_e1932.member_14 > _e9781)), _e9439);
-phi_4522_ = _e9937;
+let _e9937 = phi_4516_;
+phi_4522_ = type_28((_e9427 | _e9859), (_e9434 | _e9858), _e1932.member_13, select(_e9781, _e1932.member_14, (_e1932.member_14 > _e9781)), _e9439);
+phi_4523_ = _e9937;
 } else {
 if _e9882 {
-phi_4520_ = type_27(_e9859, _e9858, _e1932.member_13, _e9781, _e9439);
+phi_4521_ = type_28(_e9859, _e9858, _e1932.member_13, _e9781, _e9439);
 } else {
-phi_4520_ = _e9440;
+phi_4521_ = _e9440;
 }
-let _e9894 = phi_4520_;
-phi_4521_ = _e9894;
-phi_4522_ = _e9882;
+let _e9894 = phi_4521_;
+phi_4522_ = _e9894;
+phi_4523_ = _e9882;
 }
-let _e9939 = phi_4521_;
-let _e9941 = phi_4522_;
+let _e9939 = phi_4522_;
+let _e9941 = phi_4523_;
 if _e9941 {
-phi_4529_ = type_17(_e1932.member, _e1932.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9296, _e1932.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9605, _e9607, _e9781);
+phi_4530_ = type_19(_e1932.member, _e1932.member_1, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), _e9296, _e1932.member_14, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, _e9605, _e9607, _e9781);
 } else {
-phi_4529_ = _e9606;
+phi_4530_ = _e9606;
 }
-let _e9944 = phi_4529_;
-phi_4530_ = _e9939;
-phi_4531_ = _e9944;
+let _e9944 = phi_4530_;
+phi_4531_ = _e9939;
+phi_4532_ = _e9944;
 } else {
-phi_4530_ = type_27();
-phi_4531_ = type_17();
+phi_4531_ = type_28();
+phi_4532_ = type_19();
 }
-let _e9946 = phi_4530_;
-let _e9948 = phi_4531_;
-phi_4533_ = _e9946;
-phi_4534_ = _e9948;
-phi_4535_ = select(true, false, _e9881);
+let _e9946 = phi_4531_;
+let _e9948 = phi_4532_;
+phi_4534_ = _e9946;
+phi_4535_ = _e9948;
+phi_4536_ = select(true, false, _e9881);
 }
-let _e9951 = phi_4533_;
-let _e9953 = phi_4534_;
-let _e9955 = phi_4535_;
-phi_4539_ = _e9951;
-phi_4540_ = _e9953;
-phi_4541_ = _e9955;
+let _e9951 = phi_4534_;
+let _e9953 = phi_4535_;
+let _e9955 = phi_4536_;
+phi_4540_ = _e9951;
+phi_4541_ = _e9953;
+phi_4542_ = _e9955;
 }
-let _e9957 = phi_4539_;
-let _e9959 = phi_4540_;
-let _e9961 = phi_4541_;
+let _e9957 = phi_4540_;
+let _e9959 = phi_4541_;
+let _e9961 = phi_4542_;
 if _e9961 {
-phi_4545_ = _e9440;
-phi_4546_ = _e9606;
+phi_4546_ = _e9440;
+phi_4547_ = _e9606;
 } else {
-phi_4545_ = _e9957;
-phi_4546_ = _e9959;
+phi_4546_ = _e9957;
+phi_4547_ = _e9959;
 }
-let _e9963 = phi_4545_;
-let _e9965 = phi_4546_;
-let _e9994 = type_26(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, _e1932.member_6, _e1932.member_7, _e9965.member_15, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, _e1932.member_15, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
-let _e10023 = type_26(_e9994.member, _e9994.member_1, _e9994.member_2, _e9994.member_3, _e9994.member_4, _e9994.member_5, _e9994.member_6, _e9994.member_7, _e9994.member_8, _e9965.member_16, _e9994.member_10, _e9994.member_11, _e9994.member_12, _e9994.member_13, _e9994.member_14, _e9994.member_15, _e9994.member_16, _e9994.member_17, _e9994.member_18, _e9994.member_19, _e9994.member_20, _e9994.member_21, _e9994.member_22, _e9994.member_23, _e9994.member_24, _e9994.member_25, _e9994.member_26, _e9994.member_27);
-let _e10052 = type_26(_e10023.member, _e10023.member_1, _e10023.member_2, _e10023.member_3, _e10023.member_4, _e10023.member_5, _e10023.member_6, _e10023.member_7, _e10023.member_8, _e10023.member_9, _e9965.member_17, _e10023.member_11, _e10023.member_12, _e10023.member_13, _e10023.member_14, _e10023.member_15, _e10023.member_16, _e10023.member_17, _e10023.member_18, _e10023.member_19, _e10023.member_20, _e10023.member_21, _e10023.member_22, _e10023.member_23, _e10023.member_24, _e10023.member_25, _e10023.member_26, _e10023.member_27);
-let _e10081 = type_26(_e10052.member, _e10052.member_1, _e10052.member_2, _e10052.member_3, _e10052.member_4, _e10052.member_5, _e10052.member_6, _e10052.member_7, _e10052.member_8, _e10052.member_9, _e10052.member_10, _e9963.member, _e10052.member_12, _e10052.member_13, _e10052.member_14, _e10052.member_15, _e10052.member_16, _e10052.member_17, _e10052.member_18, _e10052.member_19, _e10052.member_20, _e10052.member_21, _e10052.member_22, _e10052.member_23, _e10052.member_24, _e10052.member_25, _e10052.member_26, _e10052.member_27);
-let _e10110 = type_26(_e10081.member, _e10081.member_1, _e10081.member_2, _e10081.member_3, _e10081.member_4, _e10081.member_5, _e10081.member_6, _e10081.member_7, _e10081.member_8, _e10081.member_9, _e10081.member_10, _e10081.member_11, _e9963.member_1, _e10081.member_13, _e10081.member_14, _e10081.member_15, _e10081.member_16, _e10081.member_17, _e10081.member_18, _e10081.member_19, _e10081.member_20, _e10081.member_21, _e10081.member_22, _e10081.member_23, _e10081.member_24, _e10081.member_25, _e10081.member_26, _e10081.member_27);
-phi_12423_ = type_26(_e10110.member, _e10110.member_1, _e10110.member_2, _e10110.member_3, _e10110.member_4, _e10110.member_5, _e10110.member_6, _e10110.member_7, _e10110.member_8, _e10110.member_9, _e10110.member_10, _e10110.member_11, _e10110.member_12, _e10110.member_13, _e9963.member_3, _e10110.member_15, _e10110.member_16, _e10110.member_17, _e10110.member_18, _e10110.member_19, _e10110.member_20, _e10110.member_21, _e10110.member_22, _e10110.member_23, _e10110.member_24, _e10110.member_25, _e10110.member_26, _e10110.member_27);
-phi_12424_ = _e1936;
+let _e9963 = phi_4546_;
+let _e9965 = phi_4547_;
+let _e9994 = type_27(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, _e1932.member_6, _e1932.member_7, _e9965.member_15, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, _e1932.member_15, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
+let _e10023 = type_27(_e9994.member, _e9994.member_1, _e9994.member_2, _e9994.member_3, _e9994.member_4, _e9994.member_5, _e9994.member_6, _e9994.member_7, _e9994.member_8, _e9965.member_16, _e9994.member_10, _e9994.member_11, _e9994.member_12, _e9994.member_13, _e9994.member_14, _e9994.member_15, _e9994.member_16, _e9994.member_17, _e9994.member_18, _e9994.member_19, _e9994.member_20, _e9994.member_21, _e9994.member_22, _e9994.member_23, _e9994.member_24, _e9994.member_25, _e9994.member_26, _e9994.member_27);
+let _e10052 = type_27(_e10023.member, _e10023.member_1, _e10023.member_2, _e10023.member_3, _e10023.member_4, _e10023.member_5, _e10023.member_6, _e10023.member_7, _e10023.member_8, _e10023.member_9, _e9965.member_17, _e10023.member_11, _e10023.member_12, _e10023.member_13, _e10023.member_14, _e10023.member_15, _e10023.member_16, _e10023.member_17, _e10023.member_18, _e10023.member_19, _e10023.member_20, _e10023.member_21, _e10023.member_22, _e10023.member_23, _e10023.member_24, _e10023.member_25, _e10023.member_26, _e10023.member_27);
+let _e10081 = type_27(_e10052.member, _e10052.member_1, _e10052.member_2, _e10052.member_3, _e10052.member_4, _e10052.member_5, _e10052.member_6, _e10052.member_7, _e10052.member_8, _e10052.member_9, _e10052.member_10, _e9963.member, _e10052.member_12, _e10052.member_13, _e10052.member_14, _e10052.member_15, _e10052.member_16, _e10052.member_17, _e10052.member_18, _e10052.member_19, _e10052.member_20, _e10052.member_21, _e10052.member_22, _e10052.member_23, _e10052.member_24, _e10052.member_25, _e10052.member_26, _e10052.member_27);
+let _e10110 = type_27(_e10081.member, _e10081.member_1, _e10081.member_2, _e10081.member_3, _e10081.member_4, _e10081.member_5, _e10081.member_6, _e10081.member_7, _e10081.member_8, _e10081.member_9, _e10081.member_10, _e10081.member_11, _e9963.member_1, _e10081.member_13, _e10081.member_14, _e10081.member_15, _e10081.member_16, _e10081.member_17, _e10081.member_18, _e10081.member_19, _e10081.member_20, _e10081.member_21, _e10081.member_22, _e10081.member_23, _e10081.member_24, _e10081.member_25, _e10081.member_26, _e10081.member_27);
+phi_12424_ = type_27(_e10110.member, _e10110.member_1, _e10110.member_2, _e10110.member_3, _e10110.member_4, _e10110.member_5, _e10110.member_6, _e10110.member_7, _e10110.member_8, _e10110.member_9, _e10110.member_10, _e10110.member_11, _e10110.member_12, _e10110.member_13, _e9963.member_3, _e10110.member_15, _e10110.member_16, _e10110.member_17, _e10110.member_18, _e10110.member_19, _e10110.member_20, _e10110.member_21, _e10110.member_22, _e10110.member_23, _e10110.member_24, _e10110.member_25, _e10110.member_26, _e10110.member_27);
+phi_12425_ = _e1936;
 } else {
-phi_4561_ = 15i;
-phi_4564_ = 16i;
+phi_4562_ = 15i;
+phi_4565_ = 16i;
 loop {
-let _e1946 = phi_4561_;
-let _e1948 = phi_4564_;
+let _e1946 = phi_4562_;
+let _e1948 = phi_4565_;
 local_16 = _e1948;
 local_17 = _e1948;
 local_18 = _e1948;
@@ -1383,18 +1395,18 @@ local_20 = _e1948;
 local_23 = _e1948;
 let _e1949 = (_e1946 >= 0i);
 if _e1949 {
-phi_4562_ = (_e1946 - 1i);
-phi_4565_ = select(_e1948, _e1946, (((_e1932.member_7 >> bitcast<u32>((_e1946 & 31i))) & 1i) == 1i));
+phi_4563_ = (_e1946 - 1i);
+phi_4566_ = select(_e1948, _e1946, (((_e1932.member_7 >> bitcast<u32>((_e1946 & 31i))) & 1i) == 1i));
 } else {
-phi_4562_ = i32();
-phi_4565_ = i32();
+phi_4563_ = i32();
+phi_4566_ = i32();
 }
-let _e1958 = phi_4562_;
-let _e1960 = phi_4565_;
+let _e1958 = phi_4563_;
+let _e1960 = phi_4566_;
 continue;
 continuing {
-phi_4561_ = _e1958;
-phi_4564_ = _e1960;
+phi_4562_ = _e1958;
+phi_4565_ = _e1960;
 break if !(_e1949);
 }
 }
@@ -1403,8 +1415,8 @@ let _e1964 = (_e1963 == 16i);
 let _e1976 = (bitcast<i32>(countOneBits(bitcast<u32>((_e1932.member_17 & ((1i << bitcast<u32>((_e1932.member_16 & 31i))) - 1i))))) == _e1932.member_20);
 let _e1979 = ((_e1964 && _e1976) && !(_e1936));
 if _e1979 {
-let _e9253 = type_26(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, _e1932.member_6, _e1932.member_7, _e1932.member_8, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, 2f, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
-phi_12421_ = type_26(_e9253.member, _e9253.member_1, _e9253.member_2, _e9253.member_3, _e9253.member_4, _e9253.member_5, _e9253.member_6, _e9253.member_7, _e9253.member_8, _e9253.member_9, _e9253.member_10, _e9253.member_11, _e9253.member_12, _e9253.member_13, _e9253.member_14, _e9253.member_15, _e9253.member_16, _e9253.member_17, _e9253.member_18, _e9253.member_19, _e9253.member_20, _e9253.member_21, (_e1932.member_22 + 1i), _e9253.member_23, _e9253.member_24, _e9253.member_25, _e9253.member_26, _e9253.member_27);
+let _e9253 = type_27(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, _e1932.member_6, _e1932.member_7, _e1932.member_8, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, 2f, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
+phi_12422_ = type_27(_e9253.member, _e9253.member_1, _e9253.member_2, _e9253.member_3, _e9253.member_4, _e9253.member_5, _e9253.member_6, _e9253.member_7, _e9253.member_8, _e9253.member_9, _e9253.member_10, _e9253.member_11, _e9253.member_12, _e9253.member_13, _e9253.member_14, _e9253.member_15, _e9253.member_16, _e9253.member_17, _e9253.member_18, _e9253.member_19, _e9253.member_20, _e9253.member_21, (_e1932.member_22 + 1i), _e9253.member_23, _e9253.member_24, _e9253.member_25, _e9253.member_26, _e9253.member_27);
 } else {
 let _e1981 = (_e1932.member_9 >= 0i);
 let _e1984 = (_e1932.member_10 - _e1932.member_13);
@@ -1421,11 +1433,11 @@ let _e2017 = global_3.member[bitcast<u32>(select(0i, _e2011, (_e2011 > 0i)))];
 let _e2019 = select(_e2017, 1f, (_e2006 == 16i));
 let _e2021 = (_e1981 && (_e2019 <= 0f));
 let _e2030 = ((_e1932.member_7 | (_e1932.member_11 & ~(_e1932.member_12))) & ~((_e1932.member_12 & ~(_e1932.member_11))));
-phi_4683_ = 15i;
-phi_4686_ = 16i;
+phi_4684_ = 15i;
+phi_4687_ = 16i;
 loop {
-let _e2032 = phi_4683_;
-let _e2034 = phi_4686_;
+let _e2032 = phi_4684_;
+let _e2034 = phi_4687_;
 local_19 = _e2034;
 local_21 = _e2034;
 local_22 = _e2034;
@@ -1433,18 +1445,18 @@ local_24 = _e2034;
 local_25 = _e2034;
 let _e2035 = (_e2032 >= 0i);
 if _e2035 {
-phi_4684_ = (_e2032 - 1i);
-phi_4687_ = select(_e2034, _e2032, (((_e2030 >> bitcast<u32>((_e2032 & 31i))) & 1i) == 1i));
+phi_4685_ = (_e2032 - 1i);
+phi_4688_ = select(_e2034, _e2032, (((_e2030 >> bitcast<u32>((_e2032 & 31i))) & 1i) == 1i));
 } else {
-phi_4684_ = i32();
-phi_4687_ = i32();
+phi_4685_ = i32();
+phi_4688_ = i32();
 }
-let _e2044 = phi_4684_;
-let _e2046 = phi_4687_;
+let _e2044 = phi_4685_;
+let _e2046 = phi_4688_;
 continue;
 continuing {
-phi_4683_ = _e2044;
-phi_4686_ = _e2046;
+phi_4684_ = _e2044;
+phi_4687_ = _e2046;
 break if !(_e2035);
 }
 }
@@ -1477,14 +1489,14 @@ let _e2389 = select(0f, _e2385, _e2388);
 let _e2391 = (select(0f, _e2387, _e2388) - _e2389);
 let _e2395 = global_5.member.member_13.member_6;
 if (_e2395 == 0u) {
-phi_5590_ = _e2391;
+phi_5591_ = _e2391;
 } else {
 let _e2398 = (_e2391 / f32(_e2395));
-phi_4865_ = 0u;
-phi_4868_ = 0f;
+phi_4866_ = 0u;
+phi_4869_ = 0f;
 loop {
-let _e2400 = phi_4865_;
-let _e2402 = phi_4868_;
+let _e2400 = phi_4866_;
+let _e2402 = phi_4869_;
 local_69 = _e2402;
 let _e2405 = ((_e2400 < _e2395) && (_e2391 > 0f));
 if _e2405 {
@@ -1536,29 +1548,29 @@ local_10 = (_e2446 - f32(_e2483));
 let _e2520 = (_e2483 + 1i);
 let _e2522 = select(_e2520, 0i, (_e2520 < 0i));
 if (_e2522 >= _e2425) {
-phi_5009_ = (_e2425 - 1i);
+phi_5010_ = (_e2425 - 1i);
 } else {
-phi_5009_ = _e2522;
+phi_5010_ = _e2522;
 }
-let _e2526 = phi_5009_;
+let _e2526 = phi_5010_;
 local_11 = (_e2526 - _e2483);
 let _e2528 = (_e2498 + 1i);
 let _e2530 = select(_e2528, 0i, (_e2528 < 0i));
 if (_e2530 >= _e2430) {
-phi_5022_ = (_e2430 - 1i);
+phi_5023_ = (_e2430 - 1i);
 } else {
-phi_5022_ = _e2530;
+phi_5023_ = _e2530;
 }
-let _e2534 = phi_5022_;
+let _e2534 = phi_5023_;
 let _e2536 = ((_e2534 - _e2498) * _e2425);
 let _e2537 = (_e2513 + 1i);
 let _e2539 = select(_e2537, 0i, (_e2537 < 0i));
 if (_e2539 >= _e2435) {
-phi_5036_ = (_e2435 - 1i);
+phi_5037_ = (_e2435 - 1i);
 } else {
-phi_5036_ = _e2539;
+phi_5037_ = _e2539;
 }
-let _e2543 = phi_5036_;
+let _e2543 = phi_5037_;
 let _e2550 = global_5.member.member_13.member_10;
 let _e2551 = bitcast<i32>(_e2550);
 let _e2556 = ((_e2551 + (((_e2513 * _e2430) + _e2498) * _e2425)) + _e2483);
@@ -1626,29 +1638,29 @@ local_8 = (_e2673 - f32(_e2704));
 let _e2741 = (_e2704 + 1i);
 let _e2743 = select(_e2741, 0i, (_e2741 < 0i));
 if (_e2743 >= _e2425) {
-phi_5358_ = (_e2425 - 1i);
+phi_5359_ = (_e2425 - 1i);
 } else {
-phi_5358_ = _e2743;
+phi_5359_ = _e2743;
 }
-let _e2747 = phi_5358_;
+let _e2747 = phi_5359_;
 local_9 = (_e2747 - _e2704);
 let _e2749 = (_e2719 + 1i);
 let _e2751 = select(_e2749, 0i, (_e2749 < 0i));
 if (_e2751 >= _e2430) {
-phi_5371_ = (_e2430 - 1i);
+phi_5372_ = (_e2430 - 1i);
 } else {
-phi_5371_ = _e2751;
+phi_5372_ = _e2751;
 }
-let _e2755 = phi_5371_;
+let _e2755 = phi_5372_;
 let _e2757 = ((_e2755 - _e2719) * _e2425);
 let _e2758 = (_e2734 + 1i);
 let _e2760 = select(_e2758, 0i, (_e2758 < 0i));
 if (_e2760 >= _e2435) {
-phi_5385_ = (_e2435 - 1i);
+phi_5386_ = (_e2435 - 1i);
 } else {
-phi_5385_ = _e2760;
+phi_5386_ = _e2760;
 }
-let _e2764 = phi_5385_;
+let _e2764 = phi_5386_;
 let _e2772 = ((_e2551 + (((_e2734 * _e2430) + _e2719) * _e2425)) + _e2704);
 let _e2774 = select(_e2009, _e2772, (_e2772 < _e2009));
 let _e2779 = global_3.member[bitcast<u32>(select(0i, _e2774, (_e2774 > 0i)))];
@@ -1686,25 +1698,25 @@ let _e2858 = (_e2846 + _e2857);
 let _e2860 = select(_e2009, _e2858, (_e2858 < _e2009));
 let _e2865 = global_3.member[bitcast<u32>(select(0i, _e2860, (_e2860 > 0i)))];
 let _e2866 = local_8;
-phi_4866_ = (_e2400 + 1u);
-phi_4869_ = (_e2402 + ((0.5f * (((((((_e2563 * (1f - _e2564)) + (_e2575 * _e2576)) * _e2579) + (((_e2588 * (1f - _e2589)) + (_e2600 * _e2601)) * _e2517)) * (1f - _e2519)) + (((((_e2613 * (1f - _e2614)) + (_e2625 * _e2626)) * _e2579) + (((_e2637 * (1f - _e2638)) + (_e2649 * _e2650)) * _e2517)) * _e2519)) + ((((((_e2779 * (1f - _e2780)) + (_e2791 * _e2792)) * _e2795) + (((_e2804 * (1f - _e2805)) + (_e2816 * _e2817)) * _e2738)) * (1f - _e2740)) + (((((_e2829 * (1f - _e2830)) + (_e2841 * _e2842)) * _e2795) + (((_e2853 * (1f - _e2854)) + (_e2865 * _e2866)) * _e2738)) * _e2740)))) * _e2412));
+phi_4867_ = (_e2400 + 1u);
+phi_4870_ = (_e2402 + ((0.5f * (((((((_e2563 * (1f - _e2564)) + (_e2575 * _e2576)) * _e2579) + (((_e2588 * (1f - _e2589)) + (_e2600 * _e2601)) * _e2517)) * (1f - _e2519)) + (((((_e2613 * (1f - _e2614)) + (_e2625 * _e2626)) * _e2579) + (((_e2637 * (1f - _e2638)) + (_e2649 * _e2650)) * _e2517)) * _e2519)) + ((((((_e2779 * (1f - _e2780)) + (_e2791 * _e2792)) * _e2795) + (((_e2804 * (1f - _e2805)) + (_e2816 * _e2817)) * _e2738)) * (1f - _e2740)) + (((((_e2829 * (1f - _e2830)) + (_e2841 * _e2842)) * _e2795) + (((_e2853 * (1f - _e2854)) + (_e2865 * _e2866)) * _e2738)) * _e2740)))) * _e2412));
 } else {
-phi_4866_ = u32();
-phi_4869_ = f32();
+phi_4867_ = u32();
+phi_4870_ = f32();
 }
-let _e2881 = phi_4866_;
-let _e2883 = phi_4869_;
+let _e2881 = phi_4867_;
+let _e2883 = phi_4870_;
 continue;
 continuing {
-phi_4865_ = _e2881;
-phi_4868_ = _e2883;
+phi_4866_ = _e2881;
+phi_4869_ = _e2883;
 break if !(_e2405);
 }
 }
 let _e10436 = local_69;
-phi_5590_ = _e10436;
+phi_5591_ = _e10436;
 }
-let _e2886 = phi_5590_;
+let _e2886 = phi_5591_;
 let _e2890 = global_5.member.member_13.member;
 let _e2895 = -((_e2890.member * _e2886));
 let _e2897 = select(-87f, _e2895, (_e2895 > -87f));
@@ -1740,14 +1752,14 @@ let _e3044 = (1f / 3f);
 let _e3048 = (_e1932.member_6.x * ((1f + (_e2921 * (1f + (_e2921 * (0.5f + (_e2921 * (0.16666667f + (_e2921 * (0.041666668f + (_e2921 * (0.008333334f + (_e2921 * (0.001388889f + (_e2921 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2916 + 127i)) << bitcast<u32>(23i)))));
 let _e3051 = (_e1932.member_6.y * ((1f + (_e2969 * (1f + (_e2969 * (0.5f + (_e2969 * (0.16666667f + (_e2969 * (0.041666668f + (_e2969 * (0.008333334f + (_e2969 * (0.001388889f + (_e2969 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2964 + 127i)) << bitcast<u32>(23i)))));
 let _e3054 = (_e1932.member_6.z * ((1f + (_e3017 * (1f + (_e3017 * (0.5f + (_e3017 * (0.16666667f + (_e3017 * (0.041666668f + (_e3017 * (0.008333334f + (_e3017 * (0.001388889f + (_e3017 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3012 + 127i)) << bitcast<u32>(23i)))));
-let _e3083 = type_26(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, vec3<f32>(_e3048, _e3051, _e3054), _e1932.member_7, _e1932.member_8, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, _e1932.member_15, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
+let _e3083 = type_27(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, vec3<f32>(_e3048, _e3051, _e3054), _e1932.member_7, _e1932.member_8, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, _e1932.member_15, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
 if _e1976 {
-phi_5823_ = ((((_e1932.member_6.x + _e1932.member_6.y) + _e1932.member_6.z) * _e3044) - (((_e3048 + _e3051) + _e3054) * _e3044));
+phi_5824_ = ((((_e1932.member_6.x + _e1932.member_6.y) + _e1932.member_6.z) * _e3044) - (((_e3048 + _e3051) + _e3054) * _e3044));
 } else {
-phi_5823_ = 0f;
+phi_5824_ = 0f;
 }
-let _e3089 = phi_5823_;
-phi_6113_ = type_26(_e3083.member, _e3083.member_1, _e3083.member_2, _e3083.member_3, _e3083.member_4, _e3083.member_5, _e3083.member_6, _e3083.member_7, _e3083.member_8, _e3083.member_9, _e3083.member_10, _e3083.member_11, _e3083.member_12, _e3083.member_13, _e3083.member_14, _e3083.member_15, _e3083.member_16, _e3083.member_17, _e3083.member_18, _e3083.member_19, _e3083.member_20, _e3083.member_21, _e3083.member_22, _e3083.member_23, _e3083.member_24, _e3083.member_25, (_e1932.member_26 + _e3089), _e3083.member_27);
+let _e3089 = phi_5824_;
+phi_6114_ = type_27(_e3083.member, _e3083.member_1, _e3083.member_2, _e3083.member_3, _e3083.member_4, _e3083.member_5, _e3083.member_6, _e3083.member_7, _e3083.member_8, _e3083.member_9, _e3083.member_10, _e3083.member_11, _e3083.member_12, _e3083.member_13, _e3083.member_14, _e3083.member_15, _e3083.member_16, _e3083.member_17, _e3083.member_18, _e3083.member_19, _e3083.member_20, _e3083.member_21, _e3083.member_22, _e3083.member_23, _e3083.member_24, _e3083.member_25, (_e1932.member_26 + _e3089), _e3083.member_27);
 } else {
 let _e2049 = select(1e6f, _e1986, (_e1986 < 1e6f));
 let _e2051 = local_17;
@@ -1795,47 +1807,47 @@ let _e2230 = (1f / 3f);
 let _e2234 = (_e1932.member_6.x * ((1f + (_e2089 * (1f + (_e2089 * (0.5f + (_e2089 * (0.16666667f + (_e2089 * (0.041666668f + (_e2089 * (0.008333334f + (_e2089 * (0.001388889f + (_e2089 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2084 + 127i)) << bitcast<u32>(23i)))));
 let _e2237 = (_e1932.member_6.y * ((1f + (_e2146 * (1f + (_e2146 * (0.5f + (_e2146 * (0.16666667f + (_e2146 * (0.041666668f + (_e2146 * (0.008333334f + (_e2146 * (0.001388889f + (_e2146 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2141 + 127i)) << bitcast<u32>(23i)))));
 let _e2240 = (_e1932.member_6.z * ((1f + (_e2203 * (1f + (_e2203 * (0.5f + (_e2203 * (0.16666667f + (_e2203 * (0.041666668f + (_e2203 * (0.008333334f + (_e2203 * (0.001388889f + (_e2203 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2198 + 127i)) << bitcast<u32>(23i)))));
-let _e2269 = type_26(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, vec3<f32>(_e2234, _e2237, _e2240), _e1932.member_7, _e1932.member_8, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, _e1932.member_15, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
+let _e2269 = type_27(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3, _e1932.member_4, _e1932.member_5, vec3<f32>(_e2234, _e2237, _e2240), _e1932.member_7, _e1932.member_8, _e1932.member_9, _e1932.member_10, _e1932.member_11, _e1932.member_12, _e1932.member_13, _e1932.member_14, _e1932.member_15, _e1932.member_16, _e1932.member_17, _e1932.member_18, _e1932.member_19, _e1932.member_20, _e1932.member_21, _e1932.member_22, _e1932.member_23, _e1932.member_24, _e1932.member_25, _e1932.member_26, _e1932.member_27);
 if _e1976 {
-phi_6109_ = ((((_e1932.member_6.x + _e1932.member_6.y) + _e1932.member_6.z) * _e2230) - (((_e2234 + _e2237) + _e2240) * _e2230));
+phi_6110_ = ((((_e1932.member_6.x + _e1932.member_6.y) + _e1932.member_6.z) * _e2230) - (((_e2234 + _e2237) + _e2240) * _e2230));
 } else {
-phi_6109_ = 0f;
+phi_6110_ = 0f;
 }
-let _e2275 = phi_6109_;
-phi_6113_ = type_26(_e2269.member, _e2269.member_1, _e2269.member_2, _e2269.member_3, _e2269.member_4, _e2269.member_5, _e2269.member_6, _e2269.member_7, _e2269.member_8, _e2269.member_9, _e2269.member_10, _e2269.member_11, _e2269.member_12, _e2269.member_13, _e2269.member_14, _e2269.member_15, _e2269.member_16, _e2269.member_17, _e2269.member_18, _e2269.member_19, _e2269.member_20, _e2269.member_21, _e2269.member_22, _e2269.member_23, _e2269.member_24, (_e1932.member_25 + _e2275), _e2269.member_26, _e2269.member_27);
+let _e2275 = phi_6110_;
+phi_6114_ = type_27(_e2269.member, _e2269.member_1, _e2269.member_2, _e2269.member_3, _e2269.member_4, _e2269.member_5, _e2269.member_6, _e2269.member_7, _e2269.member_8, _e2269.member_9, _e2269.member_10, _e2269.member_11, _e2269.member_12, _e2269.member_13, _e2269.member_14, _e2269.member_15, _e2269.member_16, _e2269.member_17, _e2269.member_18, _e2269.member_19, _e2269.member_20, _e2269.member_21, _e2269.member_22, _e2269.member_23, _e2269.member_24, (_e1932.member_25 + _e2275), _e2269.member_26, _e2269.member_27);
 }
-let _e3121 = phi_6113_;
+let _e3121 = phi_6114_;
 if (!(_e1981) || (_e2021 && (_e2019 == 0f))) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3121.member_17 & ((1i << bitcast<u32>((_e3121.member_16 & 31i))) - 1i))))) == _e3121.member_20) {
-phi_6167_ = (((_e3121.member_6.x + _e3121.member_6.y) + _e3121.member_6.z) * (1f / 3f));
+phi_6168_ = (((_e3121.member_6.x + _e3121.member_6.y) + _e3121.member_6.z) * (1f / 3f));
 } else {
-phi_6167_ = 0f;
+phi_6168_ = 0f;
 }
-let _e7335 = phi_6167_;
+let _e7335 = phi_6168_;
 if (_e3121.member_9 == -1i) {
-phi_6179_ = type_26(_e3121.member, _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e3121.member_7, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, (_e3121.member_23 + _e7335), _e3121.member_24, _e3121.member_25, _e3121.member_26, _e3121.member_27);
+phi_6180_ = type_27(_e3121.member, _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e3121.member_7, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, (_e3121.member_23 + _e7335), _e3121.member_24, _e3121.member_25, _e3121.member_26, _e3121.member_27);
 } else {
-phi_6179_ = type_26(_e3121.member, _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e3121.member_7, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, _e3121.member_23, (_e3121.member_24 + _e7335), _e3121.member_25, _e3121.member_26, _e3121.member_27);
+phi_6180_ = type_27(_e3121.member, _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e3121.member_7, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, _e3121.member_23, (_e3121.member_24 + _e7335), _e3121.member_25, _e3121.member_26, _e3121.member_27);
 }
-let _e7399 = phi_6179_;
+let _e7399 = phi_6180_;
 let _e7401 = (_e7399.member_18 == 0i);
 if (_e7401 && (_e7399.member_21 == 0i)) {
-phi_8220_ = type_26(_e7399.member, _e7399.member_1, _e7399.member_2, _e7399.member_3, _e7399.member_4, _e7399.member_5, _e7399.member_6, _e7399.member_7, _e7399.member_8, _e7399.member_9, _e7399.member_10, _e7399.member_11, _e7399.member_12, _e7399.member_13, _e7399.member_14, 3f, _e7399.member_16, _e7399.member_17, _e7399.member_18, _e7399.member_19, _e7399.member_20, _e7399.member_21, _e7399.member_22, _e7399.member_23, _e7399.member_24, _e7399.member_25, _e7399.member_26, _e7399.member_27);
+phi_8221_ = type_27(_e7399.member, _e7399.member_1, _e7399.member_2, _e7399.member_3, _e7399.member_4, _e7399.member_5, _e7399.member_6, _e7399.member_7, _e7399.member_8, _e7399.member_9, _e7399.member_10, _e7399.member_11, _e7399.member_12, _e7399.member_13, _e7399.member_14, 3f, _e7399.member_16, _e7399.member_17, _e7399.member_18, _e7399.member_19, _e7399.member_20, _e7399.member_21, _e7399.member_22, _e7399.member_23, _e7399.member_24, _e7399.member_25, _e7399.member_26, _e7399.member_27);
 } else {
 if _e7401 {
-let _e7533 = type_26(_e7399.member, _e7399.member_1, _e7399.member_2, _e7399.member_3, _e7399.member_4, _e7399.member_5, _e7399.member_6, _e7399.member_7, _e7399.member_8, _e7399.member_9, _e7399.member_10, _e7399.member_11, _e7399.member_12, _e7399.member_13, _e7399.member_14, _e7399.member_15, _e7399.member_16, _e7399.member_17, _e7399.member_18, _e7399.member_19, (_e7399.member_20 + 1i), _e7399.member_21, _e7399.member_22, _e7399.member_23, _e7399.member_24, _e7399.member_25, _e7399.member_26, _e7399.member_27);
-let _e7561 = type_26(_e7533.member, _e7533.member_1, _e7533.member_2, _e7533.member_3, _e7533.member_4, _e7533.member_5, _e7533.member_6, _e7533.member_7, _e7533.member_8, _e7533.member_9, _e7533.member_10, _e7533.member_11, _e7533.member_12, _e7533.member_13, _e7533.member_14, _e7533.member_15, _e7533.member_16, _e7533.member_17, _e7533.member_18, _e7533.member_19, _e7533.member_20, 0i, _e7533.member_22, _e7533.member_23, _e7533.member_24, _e7533.member_25, _e7533.member_26, _e7533.member_27);
-let _e7589 = type_26(_e7561.member, _e7561.member_1, _e7561.member_2, _e7561.member_3, _e7561.member_4, _e7561.member_5, _e7561.member_6, _e7561.member_7, _e7561.member_8, _e7561.member_9, _e7561.member_10, _e7561.member_11, _e7561.member_12, _e7561.member_13, _e7561.member_14, _e7561.member_15, _e7561.member_16, 0i, _e7561.member_18, _e7561.member_19, _e7561.member_20, _e7561.member_21, _e7561.member_22, _e7561.member_23, _e7561.member_24, _e7561.member_25, _e7561.member_26, _e7561.member_27);
-phi_6220_ = type_26(_e7589.member, _e7589.member_1, _e7589.member_2, _e7589.member_3, _e7589.member_4, _e7589.member_5, _e7589.member_6, _e7589.member_7, _e7589.member_8, _e7589.member_9, _e7589.member_10, _e7589.member_11, _e7589.member_12, _e7589.member_13, _e7589.member_14, _e7589.member_15, _e7589.member_16, _e7589.member_17, _e7589.member_18, 0i, _e7589.member_20, _e7589.member_21, _e7589.member_22, _e7589.member_23, _e7589.member_24, _e7589.member_25, _e7589.member_26, _e7589.member_27);
+let _e7533 = type_27(_e7399.member, _e7399.member_1, _e7399.member_2, _e7399.member_3, _e7399.member_4, _e7399.member_5, _e7399.member_6, _e7399.member_7, _e7399.member_8, _e7399.member_9, _e7399.member_10, _e7399.member_11, _e7399.member_12, _e7399.member_13, _e7399.member_14, _e7399.member_15, _e7399.member_16, _e7399.member_17, _e7399.member_18, _e7399.member_19, (_e7399.member_20 + 1i), _e7399.member_21, _e7399.member_22, _e7399.member_23, _e7399.member_24, _e7399.member_25, _e7399.member_26, _e7399.member_27);
+let _e7561 = type_27(_e7533.member, _e7533.member_1, _e7533.member_2, _e7533.member_3, _e7533.member_4, _e7533.member_5, _e7533.member_6, _e7533.member_7, _e7533.member_8, _e7533.member_9, _e7533.member_10, _e7533.member_11, _e7533.member_12, _e7533.member_13, _e7533.member_14, _e7533.member_15, _e7533.member_16, _e7533.member_17, _e7533.member_18, _e7533.member_19, _e7533.member_20, 0i, _e7533.member_22, _e7533.member_23, _e7533.member_24, _e7533.member_25, _e7533.member_26, _e7533.member_27);
+let _e7589 = type_27(_e7561.member, _e7561.member_1, _e7561.member_2, _e7561.member_3, _e7561.member_4, _e7561.member_5, _e7561.member_6, _e7561.member_7, _e7561.member_8, _e7561.member_9, _e7561.member_10, _e7561.member_11, _e7561.member_12, _e7561.member_13, _e7561.member_14, _e7561.member_15, _e7561.member_16, 0i, _e7561.member_18, _e7561.member_19, _e7561.member_20, _e7561.member_21, _e7561.member_22, _e7561.member_23, _e7561.member_24, _e7561.member_25, _e7561.member_26, _e7561.member_27);
+phi_6221_ = type_27(_e7589.member, _e7589.member_1, _e7589.member_2, _e7589.member_3, _e7589.member_4, _e7589.member_5, _e7589.member_6, _e7589.member_7, _e7589.member_8, _e7589.member_9, _e7589.member_10, _e7589.member_11, _e7589.member_12, _e7589.member_13, _e7589.member_14, _e7589.member_15, _e7589.member_16, _e7589.member_17, _e7589.member_18, 0i, _e7589.member_20, _e7589.member_21, _e7589.member_22, _e7589.member_23, _e7589.member_24, _e7589.member_25, _e7589.member_26, _e7589.member_27);
 } else {
 let _e7409 = bitcast<i32>((bitcast<u32>(f32(_e7399.member_18)) >> bitcast<u32>(23i)));
 let _e7413 = (1i << bitcast<u32>(((_e7409 - 127i) & 31i)));
 let _e7414 = (_e7413 - 1i);
-let _e7445 = type_26(_e7399.member, _e7399.member_1, _e7399.member_2, _e7399.member_3, _e7399.member_4, _e7399.member_5, _e7399.member_6, _e7399.member_7, _e7399.member_8, _e7399.member_9, _e7399.member_10, _e7399.member_11, _e7399.member_12, _e7399.member_13, _e7399.member_14, _e7399.member_15, _e7399.member_16, ((_e7399.member_17 & _e7414) | _e7413), _e7399.member_18, _e7399.member_19, _e7399.member_20, _e7399.member_21, _e7399.member_22, _e7399.member_23, _e7399.member_24, _e7399.member_25, _e7399.member_26, _e7399.member_27);
-let _e7474 = type_26(_e7445.member, _e7445.member_1, _e7445.member_2, _e7445.member_3, _e7445.member_4, _e7445.member_5, _e7445.member_6, _e7445.member_7, _e7445.member_8, _e7445.member_9, _e7445.member_10, _e7445.member_11, _e7445.member_12, _e7445.member_13, _e7445.member_14, _e7445.member_15, _e7445.member_16, _e7445.member_17, (_e7399.member_18 & _e7414), _e7445.member_19, _e7445.member_20, _e7445.member_21, _e7445.member_22, _e7445.member_23, _e7445.member_24, _e7445.member_25, _e7445.member_26, _e7445.member_27);
-phi_6220_ = type_26(_e7474.member, _e7474.member_1, _e7474.member_2, _e7474.member_3, _e7474.member_4, _e7474.member_5, _e7474.member_6, _e7474.member_7, _e7474.member_8, _e7474.member_9, _e7474.member_10, _e7474.member_11, _e7474.member_12, _e7474.member_13, _e7474.member_14, _e7474.member_15, _e7474.member_16, _e7474.member_17, _e7474.member_18, (_e7409 + -126i), _e7474.member_20, _e7474.member_21, _e7474.member_22, _e7474.member_23, _e7474.member_24, _e7474.member_25, _e7474.member_26, _e7474.member_27);
+let _e7445 = type_27(_e7399.member, _e7399.member_1, _e7399.member_2, _e7399.member_3, _e7399.member_4, _e7399.member_5, _e7399.member_6, _e7399.member_7, _e7399.member_8, _e7399.member_9, _e7399.member_10, _e7399.member_11, _e7399.member_12, _e7399.member_13, _e7399.member_14, _e7399.member_15, _e7399.member_16, ((_e7399.member_17 & _e7414) | _e7413), _e7399.member_18, _e7399.member_19, _e7399.member_20, _e7399.member_21, _e7399.member_22, _e7399.member_23, _e7399.member_24, _e7399.member_25, _e7399.member_26, _e7399.member_27);
+let _e7474 = type_27(_e7445.member, _e7445.member_1, _e7445.member_2, _e7445.member_3, _e7445.member_4, _e7445.member_5, _e7445.member_6, _e7445.member_7, _e7445.member_8, _e7445.member_9, _e7445.member_10, _e7445.member_11, _e7445.member_12, _e7445.member_13, _e7445.member_14, _e7445.member_15, _e7445.member_16, _e7445.member_17, (_e7399.member_18 & _e7414), _e7445.member_19, _e7445.member_20, _e7445.member_21, _e7445.member_22, _e7445.member_23, _e7445.member_24, _e7445.member_25, _e7445.member_26, _e7445.member_27);
+phi_6221_ = type_27(_e7474.member, _e7474.member_1, _e7474.member_2, _e7474.member_3, _e7474.member_4, _e7474.member_5, _e7474.member_6, _e7474.member_7, _e7474.member_8, _e7474.member_9, _e7474.member_10, _e7474.member_11, _e7474.member_12, _e7474.member_13, _e7474.member_14, _e7474.member_15, _e7474.member_16, _e7474.member_17, _e7474.member_18, (_e7409 + -126i), _e7474.member_20, _e7474.member_21, _e7474.member_22, _e7474.member_23, _e7474.member_24, _e7474.member_25, _e7474.member_26, _e7474.member_27);
 }
-let _e7619 = phi_6220_;
+let _e7619 = phi_6221_;
 let _e7625 = global_5.member.member_1.member;
 let _e7627 = f32(bitcast<i32>(_e7625));
 let _e7631 = global_5.member.member_1.member_1;
@@ -1923,18 +1935,18 @@ let _e7913 = (_e7716 * _e7910);
 let _e7914 = (_e7701 + _e7911);
 let _e7915 = (_e7702 + _e7912);
 let _e7916 = (_e7703 + _e7913);
-let _e7946 = type_26((vec3<f32>(_e7701, _e7702, _e7703) + vec3<f32>(_e7911, _e7912, _e7913)), _e7619.member_1, _e7619.member_2, _e7619.member_3, _e7619.member_4, _e7619.member_5, _e7619.member_6, _e7619.member_7, _e7619.member_8, _e7619.member_9, _e7619.member_10, _e7619.member_11, _e7619.member_12, _e7619.member_13, _e7619.member_14, _e7619.member_15, _e7619.member_16, _e7619.member_17, _e7619.member_18, _e7619.member_19, _e7619.member_20, _e7619.member_21, _e7619.member_22, _e7619.member_23, _e7619.member_24, _e7619.member_25, _e7619.member_26, _e7619.member_27);
-let _e7974 = type_26(_e7946.member, vec3<f32>(_e7714, _e7715, _e7716), _e7946.member_2, _e7946.member_3, _e7946.member_4, _e7946.member_5, _e7946.member_6, _e7946.member_7, _e7946.member_8, _e7946.member_9, _e7946.member_10, _e7946.member_11, _e7946.member_12, _e7946.member_13, _e7946.member_14, _e7946.member_15, _e7946.member_16, _e7946.member_17, _e7946.member_18, _e7946.member_19, _e7946.member_20, _e7946.member_21, _e7946.member_22, _e7946.member_23, _e7946.member_24, _e7946.member_25, _e7946.member_26, _e7946.member_27);
-let _e8012 = type_26(_e7974.member, _e7974.member_1, (vec3<f32>(select(0f, _e7720, _e7679), select(0f, _e7721, _e7679), select(0f, _e7722, _e7679)) + vec3<f32>((_e7750 * _e7910), (_e7751 * _e7910), (_e7752 * _e7910))), _e7974.member_3, _e7974.member_4, _e7974.member_5, _e7974.member_6, _e7974.member_7, _e7974.member_8, _e7974.member_9, _e7974.member_10, _e7974.member_11, _e7974.member_12, _e7974.member_13, _e7974.member_14, _e7974.member_15, _e7974.member_16, _e7974.member_17, _e7974.member_18, _e7974.member_19, _e7974.member_20, _e7974.member_21, _e7974.member_22, _e7974.member_23, _e7974.member_24, _e7974.member_25, _e7974.member_26, _e7974.member_27);
-let _e8040 = type_26(_e8012.member, _e8012.member_1, _e8012.member_2, (vec3<f32>(select(0f, _e7725, _e7679), select(0f, _e7726, _e7679), select(0f, _e7727, _e7679)) + vec3<f32>((_e7768 * _e7910), (_e7769 * _e7910), (_e7770 * _e7910))), _e8012.member_4, _e8012.member_5, _e8012.member_6, _e8012.member_7, _e8012.member_8, _e8012.member_9, _e8012.member_10, _e8012.member_11, _e8012.member_12, _e8012.member_13, _e8012.member_14, _e8012.member_15, _e8012.member_16, _e8012.member_17, _e8012.member_18, _e8012.member_19, _e8012.member_20, _e8012.member_21, _e8012.member_22, _e8012.member_23, _e8012.member_24, _e8012.member_25, _e8012.member_26, _e8012.member_27);
-let _e8068 = type_26(_e8040.member, _e8040.member_1, _e8040.member_2, _e8040.member_3, vec3<f32>(_e7750, _e7751, _e7752), _e8040.member_5, _e8040.member_6, _e8040.member_7, _e8040.member_8, _e8040.member_9, _e8040.member_10, _e8040.member_11, _e8040.member_12, _e8040.member_13, _e8040.member_14, _e8040.member_15, _e8040.member_16, _e8040.member_17, _e8040.member_18, _e8040.member_19, _e8040.member_20, _e8040.member_21, _e8040.member_22, _e8040.member_23, _e8040.member_24, _e8040.member_25, _e8040.member_26, _e8040.member_27);
-let _e8096 = type_26(_e8068.member, _e8068.member_1, _e8068.member_2, _e8068.member_3, _e8068.member_4, vec3<f32>(_e7768, _e7769, _e7770), _e8068.member_6, _e8068.member_7, _e8068.member_8, _e8068.member_9, _e8068.member_10, _e8068.member_11, _e8068.member_12, _e8068.member_13, _e8068.member_14, _e8068.member_15, _e8068.member_16, _e8068.member_17, _e8068.member_18, _e8068.member_19, _e8068.member_20, _e8068.member_21, _e8068.member_22, _e8068.member_23, _e8068.member_24, _e8068.member_25, _e8068.member_26, _e8068.member_27);
-let _e8124 = type_26(_e8096.member, _e8096.member_1, _e8096.member_2, _e8096.member_3, _e8096.member_4, _e8096.member_5, _e8096.member_6, 0i, _e8096.member_8, _e8096.member_9, _e8096.member_10, _e8096.member_11, _e8096.member_12, _e8096.member_13, _e8096.member_14, _e8096.member_15, _e8096.member_16, _e8096.member_17, _e8096.member_18, _e8096.member_19, _e8096.member_20, _e8096.member_21, _e8096.member_22, _e8096.member_23, _e8096.member_24, _e8096.member_25, _e8096.member_26, _e8096.member_27);
-let _e8152 = type_26(_e8124.member, _e8124.member_1, _e8124.member_2, _e8124.member_3, _e8124.member_4, _e8124.member_5, _e8124.member_6, _e8124.member_7, _e8124.member_8, _e8124.member_9, _e8124.member_10, _e8124.member_11, _e8124.member_12, _e8124.member_13, _e8124.member_14, _e8124.member_15, 0i, _e8124.member_17, _e8124.member_18, _e8124.member_19, _e8124.member_20, _e8124.member_21, _e8124.member_22, _e8124.member_23, _e8124.member_24, _e8124.member_25, _e8124.member_26, _e8124.member_27);
-let _e8180 = type_26(_e8152.member, _e8152.member_1, _e8152.member_2, _e8152.member_3, _e8152.member_4, _e8152.member_5, _e8152.member_6, _e8152.member_7, _e8152.member_8, _e8152.member_9, _e8152.member_10, _e8152.member_11, _e8152.member_12, _e8152.member_13, _e8152.member_14, 1f, _e8152.member_16, _e8152.member_17, _e8152.member_18, _e8152.member_19, _e8152.member_20, _e8152.member_21, _e8152.member_22, _e8152.member_23, _e8152.member_24, _e8152.member_25, _e8152.member_26, _e8152.member_27);
-let _e8208 = type_26(_e8180.member, _e8180.member_1, _e8180.member_2, _e8180.member_3, _e8180.member_4, _e8180.member_5, _e8180.member_6, _e8180.member_7, _e8180.member_8, _e8180.member_9, _e8180.member_10, _e8180.member_11, _e8180.member_12, 0f, _e8180.member_14, _e8180.member_15, _e8180.member_16, _e8180.member_17, _e8180.member_18, _e8180.member_19, _e8180.member_20, _e8180.member_21, _e8180.member_22, _e8180.member_23, _e8180.member_24, _e8180.member_25, _e8180.member_26, _e8180.member_27);
-let _e8236 = type_26(_e8208.member, _e8208.member_1, _e8208.member_2, _e8208.member_3, _e8208.member_4, _e8208.member_5, _e8208.member_6, _e8208.member_7, _e8208.member_8, _e8208.member_9, _e8208.member_10, 0i, _e8208.member_12, _e8208.member_13, _e8208.member_14, _e8208.member_15, _e8208.member_16, _e8208.member_17, _e8208.member_18, _e8208.member_19, _e8208.member_20, _e8208.member_21, _e8208.member_22, _e8208.member_23, _e8208.member_24, _e8208.member_25, _e8208.member_26, _e8208.member_27);
-let _e8264 = type_26(_e8236.member, _e8236.member_1, _e8236.member_2, _e8236.member_3, _e8236.member_4, _e8236.member_5, _e8236.member_6, _e8236.member_7, _e8236.member_8, _e8236.member_9, _e8236.member_10, _e8236.member_11, 0i, _e8236.member_13, _e8236.member_14, _e8236.member_15, _e8236.member_16, _e8236.member_17, _e8236.member_18, _e8236.member_19, _e8236.member_20, _e8236.member_21, _e8236.member_22, _e8236.member_23, _e8236.member_24, _e8236.member_25, _e8236.member_26, _e8236.member_27);
+let _e7946 = type_27((vec3<f32>(_e7701, _e7702, _e7703) + vec3<f32>(_e7911, _e7912, _e7913)), _e7619.member_1, _e7619.member_2, _e7619.member_3, _e7619.member_4, _e7619.member_5, _e7619.member_6, _e7619.member_7, _e7619.member_8, _e7619.member_9, _e7619.member_10, _e7619.member_11, _e7619.member_12, _e7619.member_13, _e7619.member_14, _e7619.member_15, _e7619.member_16, _e7619.member_17, _e7619.member_18, _e7619.member_19, _e7619.member_20, _e7619.member_21, _e7619.member_22, _e7619.member_23, _e7619.member_24, _e7619.member_25, _e7619.member_26, _e7619.member_27);
+let _e7974 = type_27(_e7946.member, vec3<f32>(_e7714, _e7715, _e7716), _e7946.member_2, _e7946.member_3, _e7946.member_4, _e7946.member_5, _e7946.member_6, _e7946.member_7, _e7946.member_8, _e7946.member_9, _e7946.member_10, _e7946.member_11, _e7946.member_12, _e7946.member_13, _e7946.member_14, _e7946.member_15, _e7946.member_16, _e7946.member_17, _e7946.member_18, _e7946.member_19, _e7946.member_20, _e7946.member_21, _e7946.member_22, _e7946.member_23, _e7946.member_24, _e7946.member_25, _e7946.member_26, _e7946.member_27);
+let _e8012 = type_27(_e7974.member, _e7974.member_1, (vec3<f32>(select(0f, _e7720, _e7679), select(0f, _e7721, _e7679), select(0f, _e7722, _e7679)) + vec3<f32>((_e7750 * _e7910), (_e7751 * _e7910), (_e7752 * _e7910))), _e7974.member_3, _e7974.member_4, _e7974.member_5, _e7974.member_6, _e7974.member_7, _e7974.member_8, _e7974.member_9, _e7974.member_10, _e7974.member_11, _e7974.member_12, _e7974.member_13, _e7974.member_14, _e7974.member_15, _e7974.member_16, _e7974.member_17, _e7974.member_18, _e7974.member_19, _e7974.member_20, _e7974.member_21, _e7974.member_22, _e7974.member_23, _e7974.member_24, _e7974.member_25, _e7974.member_26, _e7974.member_27);
+let _e8040 = type_27(_e8012.member, _e8012.member_1, _e8012.member_2, (vec3<f32>(select(0f, _e7725, _e7679), select(0f, _e7726, _e7679), select(0f, _e7727, _e7679)) + vec3<f32>((_e7768 * _e7910), (_e7769 * _e7910), (_e7770 * _e7910))), _e8012.member_4, _e8012.member_5, _e8012.member_6, _e8012.member_7, _e8012.member_8, _e8012.member_9, _e8012.member_10, _e8012.member_11, _e8012.member_12, _e8012.member_13, _e8012.member_14, _e8012.member_15, _e8012.member_16, _e8012.member_17, _e8012.member_18, _e8012.member_19, _e8012.member_20, _e8012.member_21, _e8012.member_22, _e8012.member_23, _e8012.member_24, _e8012.member_25, _e8012.member_26, _e8012.member_27);
+let _e8068 = type_27(_e8040.member, _e8040.member_1, _e8040.member_2, _e8040.member_3, vec3<f32>(_e7750, _e7751, _e7752), _e8040.member_5, _e8040.member_6, _e8040.member_7, _e8040.member_8, _e8040.member_9, _e8040.member_10, _e8040.member_11, _e8040.member_12, _e8040.member_13, _e8040.member_14, _e8040.member_15, _e8040.member_16, _e8040.member_17, _e8040.member_18, _e8040.member_19, _e8040.member_20, _e8040.member_21, _e8040.member_22, _e8040.member_23, _e8040.member_24, _e8040.member_25, _e8040.member_26, _e8040.member_27);
+let _e8096 = type_27(_e8068.member, _e8068.member_1, _e8068.member_2, _e8068.member_3, _e8068.member_4, vec3<f32>(_e7768, _e7769, _e7770), _e8068.member_6, _e8068.member_7, _e8068.member_8, _e8068.member_9, _e8068.member_10, _e8068.member_11, _e8068.member_12, _e8068.member_13, _e8068.member_14, _e8068.member_15, _e8068.member_16, _e8068.member_17, _e8068.member_18, _e8068.member_19, _e8068.member_20, _e8068.member_21, _e8068.member_22, _e8068.member_23, _e8068.member_24, _e8068.member_25, _e8068.member_26, _e8068.member_27);
+let _e8124 = type_27(_e8096.member, _e8096.member_1, _e8096.member_2, _e8096.member_3, _e8096.member_4, _e8096.member_5, _e8096.member_6, 0i, _e8096.member_8, _e8096.member_9, _e8096.member_10, _e8096.member_11, _e8096.member_12, _e8096.member_13, _e8096.member_14, _e8096.member_15, _e8096.member_16, _e8096.member_17, _e8096.member_18, _e8096.member_19, _e8096.member_20, _e8096.member_21, _e8096.member_22, _e8096.member_23, _e8096.member_24, _e8096.member_25, _e8096.member_26, _e8096.member_27);
+let _e8152 = type_27(_e8124.member, _e8124.member_1, _e8124.member_2, _e8124.member_3, _e8124.member_4, _e8124.member_5, _e8124.member_6, _e8124.member_7, _e8124.member_8, _e8124.member_9, _e8124.member_10, _e8124.member_11, _e8124.member_12, _e8124.member_13, _e8124.member_14, _e8124.member_15, 0i, _e8124.member_17, _e8124.member_18, _e8124.member_19, _e8124.member_20, _e8124.member_21, _e8124.member_22, _e8124.member_23, _e8124.member_24, _e8124.member_25, _e8124.member_26, _e8124.member_27);
+let _e8180 = type_27(_e8152.member, _e8152.member_1, _e8152.member_2, _e8152.member_3, _e8152.member_4, _e8152.member_5, _e8152.member_6, _e8152.member_7, _e8152.member_8, _e8152.member_9, _e8152.member_10, _e8152.member_11, _e8152.member_12, _e8152.member_13, _e8152.member_14, 1f, _e8152.member_16, _e8152.member_17, _e8152.member_18, _e8152.member_19, _e8152.member_20, _e8152.member_21, _e8152.member_22, _e8152.member_23, _e8152.member_24, _e8152.member_25, _e8152.member_26, _e8152.member_27);
+let _e8208 = type_27(_e8180.member, _e8180.member_1, _e8180.member_2, _e8180.member_3, _e8180.member_4, _e8180.member_5, _e8180.member_6, _e8180.member_7, _e8180.member_8, _e8180.member_9, _e8180.member_10, _e8180.member_11, _e8180.member_12, 0f, _e8180.member_14, _e8180.member_15, _e8180.member_16, _e8180.member_17, _e8180.member_18, _e8180.member_19, _e8180.member_20, _e8180.member_21, _e8180.member_22, _e8180.member_23, _e8180.member_24, _e8180.member_25, _e8180.member_26, _e8180.member_27);
+let _e8236 = type_27(_e8208.member, _e8208.member_1, _e8208.member_2, _e8208.member_3, _e8208.member_4, _e8208.member_5, _e8208.member_6, _e8208.member_7, _e8208.member_8, _e8208.member_9, _e8208.member_10, 0i, _e8208.member_12, _e8208.member_13, _e8208.member_14, _e8208.member_15, _e8208.member_16, _e8208.member_17, _e8208.member_18, _e8208.member_19, _e8208.member_20, _e8208.member_21, _e8208.member_22, _e8208.member_23, _e8208.member_24, _e8208.member_25, _e8208.member_26, _e8208.member_27);
+let _e8264 = type_27(_e8236.member, _e8236.member_1, _e8236.member_2, _e8236.member_3, _e8236.member_4, _e8236.member_5, _e8236.member_6, _e8236.member_7, _e8236.member_8, _e8236.member_9, _e8236.member_10, _e8236.member_11, 0i, _e8236.member_13, _e8236.member_14, _e8236.member_15, _e8236.member_16, _e8236.member_17, _e8236.member_18, _e8236.member_19, _e8236.member_20, _e8236.member_21, _e8236.member_22, _e8236.member_23, _e8236.member_24, _e8236.member_25, _e8236.member_26, _e8236.member_27);
 let _e8270 = ((((_e7846.member.member * _e7914) + (_e7846.member.member_1 * _e7915)) + (_e7846.member.member_2 * _e7916)) + _e7846.member_1);
 let _e8274 = ((_e8270 / _e7867) - 0.015625f);
 let _e8277 = select(1e30f, select(0f, _e8274, (_e8274 > 0f)), ((_e8270 > 0f) && _e7865));
@@ -1942,9 +1954,9 @@ let _e8283 = ((((_e7877.member.member * _e7914) + (_e7877.member.member_1 * _e79
 let _e8287 = ((_e8283 / _e7898) - 0.015625f);
 let _e8290 = select(1e30f, select(0f, _e8287, (_e8287 > 0f)), ((_e8283 > 0f) && _e7896));
 let _e8294 = (_e8290 < _e8277);
-let _e8325 = type_26(_e8264.member, _e8264.member_1, _e8264.member_2, _e8264.member_3, _e8264.member_4, _e8264.member_5, _e8264.member_6, _e8264.member_7, 0i, _e8264.member_9, _e8264.member_10, _e8264.member_11, _e8264.member_12, _e8264.member_13, _e8264.member_14, _e8264.member_15, _e8264.member_16, _e8264.member_17, _e8264.member_18, _e8264.member_19, _e8264.member_20, _e8264.member_21, _e8264.member_22, _e8264.member_23, _e8264.member_24, _e8264.member_25, _e8264.member_26, _e8264.member_27);
-let _e8353 = type_26(_e8325.member, _e8325.member_1, _e8325.member_2, _e8325.member_3, _e8325.member_4, _e8325.member_5, _e8325.member_6, _e8325.member_7, _e8325.member_8, select(select(-2i, -3i, _e8294), -1i, ((_e8277 >= 1e30f) && (_e8290 >= 1e30f))), _e8325.member_10, _e8325.member_11, _e8325.member_12, _e8325.member_13, _e8325.member_14, _e8325.member_15, _e8325.member_16, _e8325.member_17, _e8325.member_18, _e8325.member_19, _e8325.member_20, _e8325.member_21, _e8325.member_22, _e8325.member_23, _e8325.member_24, _e8325.member_25, _e8325.member_26, _e8325.member_27);
-let _e8381 = type_26(_e8353.member, _e8353.member_1, _e8353.member_2, _e8353.member_3, _e8353.member_4, _e8353.member_5, _e8353.member_6, _e8353.member_7, _e8353.member_8, _e8353.member_9, select(_e8277, _e8290, _e8294), _e8353.member_11, _e8353.member_12, _e8353.member_13, _e8353.member_14, _e8353.member_15, _e8353.member_16, _e8353.member_17, _e8353.member_18, _e8353.member_19, _e8353.member_20, _e8353.member_21, _e8353.member_22, _e8353.member_23, _e8353.member_24, _e8353.member_25, _e8353.member_26, _e8353.member_27);
+let _e8325 = type_27(_e8264.member, _e8264.member_1, _e8264.member_2, _e8264.member_3, _e8264.member_4, _e8264.member_5, _e8264.member_6, _e8264.member_7, 0i, _e8264.member_9, _e8264.member_10, _e8264.member_11, _e8264.member_12, _e8264.member_13, _e8264.member_14, _e8264.member_15, _e8264.member_16, _e8264.member_17, _e8264.member_18, _e8264.member_19, _e8264.member_20, _e8264.member_21, _e8264.member_22, _e8264.member_23, _e8264.member_24, _e8264.member_25, _e8264.member_26, _e8264.member_27);
+let _e8353 = type_27(_e8325.member, _e8325.member_1, _e8325.member_2, _e8325.member_3, _e8325.member_4, _e8325.member_5, _e8325.member_6, _e8325.member_7, _e8325.member_8, select(select(-2i, -3i, _e8294), -1i, ((_e8277 >= 1e30f) && (_e8290 >= 1e30f))), _e8325.member_10, _e8325.member_11, _e8325.member_12, _e8325.member_13, _e8325.member_14, _e8325.member_15, _e8325.member_16, _e8325.member_17, _e8325.member_18, _e8325.member_19, _e8325.member_20, _e8325.member_21, _e8325.member_22, _e8325.member_23, _e8325.member_24, _e8325.member_25, _e8325.member_26, _e8325.member_27);
+let _e8381 = type_27(_e8353.member, _e8353.member_1, _e8353.member_2, _e8353.member_3, _e8353.member_4, _e8353.member_5, _e8353.member_6, _e8353.member_7, _e8353.member_8, _e8353.member_9, select(_e8277, _e8290, _e8294), _e8353.member_11, _e8353.member_12, _e8353.member_13, _e8353.member_14, _e8353.member_15, _e8353.member_16, _e8353.member_17, _e8353.member_18, _e8353.member_19, _e8353.member_20, _e8353.member_21, _e8353.member_22, _e8353.member_23, _e8353.member_24, _e8353.member_25, _e8353.member_26, _e8353.member_27);
 let _e8385 = global_5.member.member_13.member_4;
 let _e8392 = global_5.member.member_13.member_5;
 let _e8397 = ((_e8385.member - _e7701) * _e7779);
@@ -1970,14 +1982,14 @@ let _e8433 = select(0f, _e8429, _e8432);
 let _e8435 = (select(0f, _e8431, _e8432) - _e8433);
 let _e8439 = global_5.member.member_13.member_6;
 if (_e8439 == 0u) {
-phi_7964_ = _e8435;
+phi_7965_ = _e8435;
 } else {
 let _e8442 = (_e8435 / f32(_e8439));
-phi_7239_ = 0u;
-phi_7242_ = 0f;
+phi_7240_ = 0u;
+phi_7243_ = 0f;
 loop {
-let _e8444 = phi_7239_;
-let _e8446 = phi_7242_;
+let _e8444 = phi_7240_;
+let _e8446 = phi_7243_;
 local_71 = _e8446;
 let _e8449 = ((_e8444 < _e8439) && (_e8435 > 0f));
 if _e8449 {
@@ -2029,29 +2041,29 @@ local_6 = (_e8490 - f32(_e8527));
 let _e8564 = (_e8527 + 1i);
 let _e8566 = select(_e8564, 0i, (_e8564 < 0i));
 if (_e8566 >= _e8469) {
-phi_7383_ = (_e8469 - 1i);
+phi_7384_ = (_e8469 - 1i);
 } else {
-phi_7383_ = _e8566;
+phi_7384_ = _e8566;
 }
-let _e8570 = phi_7383_;
+let _e8570 = phi_7384_;
 local_7 = (_e8570 - _e8527);
 let _e8572 = (_e8542 + 1i);
 let _e8574 = select(_e8572, 0i, (_e8572 < 0i));
 if (_e8574 >= _e8474) {
-phi_7396_ = (_e8474 - 1i);
+phi_7397_ = (_e8474 - 1i);
 } else {
-phi_7396_ = _e8574;
+phi_7397_ = _e8574;
 }
-let _e8578 = phi_7396_;
+let _e8578 = phi_7397_;
 let _e8580 = ((_e8578 - _e8542) * _e8469);
 let _e8581 = (_e8557 + 1i);
 let _e8583 = select(_e8581, 0i, (_e8581 < 0i));
 if (_e8583 >= _e8479) {
-phi_7410_ = (_e8479 - 1i);
+phi_7411_ = (_e8479 - 1i);
 } else {
-phi_7410_ = _e8583;
+phi_7411_ = _e8583;
 }
-let _e8587 = phi_7410_;
+let _e8587 = phi_7411_;
 let _e8594 = global_5.member.member_13.member_10;
 let _e8595 = bitcast<i32>(_e8594);
 let _e8600 = ((_e8595 + (((_e8557 * _e8474) + _e8542) * _e8469)) + _e8527);
@@ -2119,29 +2131,29 @@ local_4 = (_e8717 - f32(_e8748));
 let _e8785 = (_e8748 + 1i);
 let _e8787 = select(_e8785, 0i, (_e8785 < 0i));
 if (_e8787 >= _e8469) {
-phi_7732_ = (_e8469 - 1i);
+phi_7733_ = (_e8469 - 1i);
 } else {
-phi_7732_ = _e8787;
+phi_7733_ = _e8787;
 }
-let _e8791 = phi_7732_;
+let _e8791 = phi_7733_;
 local_5 = (_e8791 - _e8748);
 let _e8793 = (_e8763 + 1i);
 let _e8795 = select(_e8793, 0i, (_e8793 < 0i));
 if (_e8795 >= _e8474) {
-phi_7745_ = (_e8474 - 1i);
+phi_7746_ = (_e8474 - 1i);
 } else {
-phi_7745_ = _e8795;
+phi_7746_ = _e8795;
 }
-let _e8799 = phi_7745_;
+let _e8799 = phi_7746_;
 let _e8801 = ((_e8799 - _e8763) * _e8469);
 let _e8802 = (_e8778 + 1i);
 let _e8804 = select(_e8802, 0i, (_e8802 < 0i));
 if (_e8804 >= _e8479) {
-phi_7759_ = (_e8479 - 1i);
+phi_7760_ = (_e8479 - 1i);
 } else {
-phi_7759_ = _e8804;
+phi_7760_ = _e8804;
 }
-let _e8808 = phi_7759_;
+let _e8808 = phi_7760_;
 let _e8816 = ((_e8595 + (((_e8778 * _e8474) + _e8763) * _e8469)) + _e8748);
 let _e8818 = select(_e2009, _e8816, (_e8816 < _e2009));
 let _e8823 = global_3.member[bitcast<u32>(select(0i, _e8818, (_e8818 > 0i)))];
@@ -2179,25 +2191,25 @@ let _e8902 = (_e8890 + _e8901);
 let _e8904 = select(_e2009, _e8902, (_e8902 < _e2009));
 let _e8909 = global_3.member[bitcast<u32>(select(0i, _e8904, (_e8904 > 0i)))];
 let _e8910 = local_4;
-phi_7240_ = (_e8444 + 1u);
-phi_7243_ = (_e8446 + ((0.5f * (((((((_e8607 * (1f - _e8608)) + (_e8619 * _e8620)) * _e8623) + (((_e8632 * (1f - _e8633)) + (_e8644 * _e8645)) * _e8561)) * (1f - _e8563)) + (((((_e8657 * (1f - _e8658)) + (_e8669 * _e8670)) * _e8623) + (((_e8681 * (1f - _e8682)) + (_e8693 * _e8694)) * _e8561)) * _e8563)) + ((((((_e8823 * (1f - _e8824)) + (_e8835 * _e8836)) * _e8839) + (((_e8848 * (1f - _e8849)) + (_e8860 * _e8861)) * _e8782)) * (1f - _e8784)) + (((((_e8873 * (1f - _e8874)) + (_e8885 * _e8886)) * _e8839) + (((_e8897 * (1f - _e8898)) + (_e8909 * _e8910)) * _e8782)) * _e8784)))) * _e8456));
+phi_7241_ = (_e8444 + 1u);
+phi_7244_ = (_e8446 + ((0.5f * (((((((_e8607 * (1f - _e8608)) + (_e8619 * _e8620)) * _e8623) + (((_e8632 * (1f - _e8633)) + (_e8644 * _e8645)) * _e8561)) * (1f - _e8563)) + (((((_e8657 * (1f - _e8658)) + (_e8669 * _e8670)) * _e8623) + (((_e8681 * (1f - _e8682)) + (_e8693 * _e8694)) * _e8561)) * _e8563)) + ((((((_e8823 * (1f - _e8824)) + (_e8835 * _e8836)) * _e8839) + (((_e8848 * (1f - _e8849)) + (_e8860 * _e8861)) * _e8782)) * (1f - _e8784)) + (((((_e8873 * (1f - _e8874)) + (_e8885 * _e8886)) * _e8839) + (((_e8897 * (1f - _e8898)) + (_e8909 * _e8910)) * _e8782)) * _e8784)))) * _e8456));
 } else {
-phi_7240_ = u32();
-phi_7243_ = f32();
+phi_7241_ = u32();
+phi_7244_ = f32();
 }
-let _e8925 = phi_7240_;
-let _e8927 = phi_7243_;
+let _e8925 = phi_7241_;
+let _e8927 = phi_7244_;
 continue;
 continuing {
-phi_7239_ = _e8925;
-phi_7242_ = _e8927;
+phi_7240_ = _e8925;
+phi_7243_ = _e8927;
 break if !(_e8449);
 }
 }
 let _e10495 = local_71;
-phi_7964_ = _e10495;
+phi_7965_ = _e10495;
 }
-let _e8930 = phi_7964_;
+let _e8930 = phi_7965_;
 let _e8934 = global_5.member.member_13.member;
 let _e8939 = -((_e8934.member * _e8930));
 let _e8941 = select(-87f, _e8939, (_e8939 > -87f));
@@ -2233,35 +2245,35 @@ let _e9084 = (1f / 3f);
 let _e9086 = (1f * ((1f + (_e8965 * (1f + (_e8965 * (0.5f + (_e8965 * (0.16666667f + (_e8965 * (0.041666668f + (_e8965 * (0.008333334f + (_e8965 * (0.001388889f + (_e8965 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8960 + 127i)) << bitcast<u32>(23i)))));
 let _e9087 = (1f * ((1f + (_e9013 * (1f + (_e9013 * (0.5f + (_e9013 * (0.16666667f + (_e9013 * (0.041666668f + (_e9013 * (0.008333334f + (_e9013 * (0.001388889f + (_e9013 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9008 + 127i)) << bitcast<u32>(23i)))));
 let _e9088 = (1f * ((1f + (_e9061 * (1f + (_e9061 * (0.5f + (_e9061 * (0.16666667f + (_e9061 * (0.041666668f + (_e9061 * (0.008333334f + (_e9061 * (0.001388889f + (_e9061 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9056 + 127i)) << bitcast<u32>(23i)))));
-let _e9117 = type_26(_e8381.member, _e8381.member_1, _e8381.member_2, _e8381.member_3, _e8381.member_4, _e8381.member_5, vec3<f32>(_e9086, _e9087, _e9088), _e8381.member_7, _e8381.member_8, _e8381.member_9, _e8381.member_10, _e8381.member_11, _e8381.member_12, _e8381.member_13, _e8381.member_14, _e8381.member_15, _e8381.member_16, _e8381.member_17, _e8381.member_18, _e8381.member_19, _e8381.member_20, _e8381.member_21, _e8381.member_22, _e8381.member_23, _e8381.member_24, _e8381.member_25, _e8381.member_26, _e8381.member_27);
+let _e9117 = type_27(_e8381.member, _e8381.member_1, _e8381.member_2, _e8381.member_3, _e8381.member_4, _e8381.member_5, vec3<f32>(_e9086, _e9087, _e9088), _e8381.member_7, _e8381.member_8, _e8381.member_9, _e8381.member_10, _e8381.member_11, _e8381.member_12, _e8381.member_13, _e8381.member_14, _e8381.member_15, _e8381.member_16, _e8381.member_17, _e8381.member_18, _e8381.member_19, _e8381.member_20, _e8381.member_21, _e8381.member_22, _e8381.member_23, _e8381.member_24, _e8381.member_25, _e8381.member_26, _e8381.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e7619.member_20) {
-phi_8192_ = ((((1f + 1f) + 1f) * _e9084) - (((_e9086 + _e9087) + _e9088) * _e9084));
+phi_8193_ = ((((1f + 1f) + 1f) * _e9084) - (((_e9086 + _e9087) + _e9088) * _e9084));
 } else {
-phi_8192_ = 0f;
+phi_8193_ = 0f;
 }
-let _e9127 = phi_8192_;
-let _e9157 = type_26(_e9117.member, _e9117.member_1, _e9117.member_2, _e9117.member_3, _e9117.member_4, _e9117.member_5, _e9117.member_6, _e9117.member_7, _e9117.member_8, _e9117.member_9, _e9117.member_10, _e9117.member_11, _e9117.member_12, _e9117.member_13, _e9117.member_14, _e9117.member_15, _e9117.member_16, _e9117.member_17, _e9117.member_18, _e9117.member_19, _e9117.member_20, _e9117.member_21, _e9117.member_22, _e9117.member_23, _e9117.member_24, _e9117.member_25, (_e7619.member_26 + _e9127), _e9117.member_27);
+let _e9127 = phi_8193_;
+let _e9157 = type_27(_e9117.member, _e9117.member_1, _e9117.member_2, _e9117.member_3, _e9117.member_4, _e9117.member_5, _e9117.member_6, _e9117.member_7, _e9117.member_8, _e9117.member_9, _e9117.member_10, _e9117.member_11, _e9117.member_12, _e9117.member_13, _e9117.member_14, _e9117.member_15, _e9117.member_16, _e9117.member_17, _e9117.member_18, _e9117.member_19, _e9117.member_20, _e9117.member_21, _e9117.member_22, _e9117.member_23, _e9117.member_24, _e9117.member_25, (_e7619.member_26 + _e9127), _e9117.member_27);
 if _e7909 {
-phi_8219_ = type_26(_e9157.member, _e9157.member_1, _e9157.member_2, _e9157.member_3, _e9157.member_4, _e9157.member_5, _e9157.member_6, _e9157.member_7, _e1898, _e9157.member_9, _e9157.member_10, _e9157.member_11, _e9157.member_12, _e9157.member_13, _e9157.member_14, _e9157.member_15, _e9157.member_16, _e9157.member_17, _e9157.member_18, _e9157.member_19, _e9157.member_20, _e9157.member_21, _e9157.member_22, _e9157.member_23, _e9157.member_24, _e9157.member_25, _e9157.member_26, _e9157.member_27);
+phi_8220_ = type_27(_e9157.member, _e9157.member_1, _e9157.member_2, _e9157.member_3, _e9157.member_4, _e9157.member_5, _e9157.member_6, _e9157.member_7, _e1898, _e9157.member_9, _e9157.member_10, _e9157.member_11, _e9157.member_12, _e9157.member_13, _e9157.member_14, _e9157.member_15, _e9157.member_16, _e9157.member_17, _e9157.member_18, _e9157.member_19, _e9157.member_20, _e9157.member_21, _e9157.member_22, _e9157.member_23, _e9157.member_24, _e9157.member_25, _e9157.member_26, _e9157.member_27);
 } else {
-phi_8219_ = _e9157;
+phi_8220_ = _e9157;
 }
-let _e9187 = phi_8219_;
-phi_8220_ = _e9187;
+let _e9187 = phi_8220_;
+phi_8221_ = _e9187;
 }
-let _e9217 = phi_8220_;
-phi_12414_ = _e9217;
-phi_12415_ = type_26();
-phi_12416_ = true;
+let _e9217 = phi_8221_;
+phi_12415_ = _e9217;
+phi_12416_ = type_27();
+phi_12417_ = true;
 } else {
 let _e3128 = local_18;
 let _e3130 = local_19;
 let _e3132 = (!(_e2021) && (_e3128 == _e3130));
 if _e3132 {
-let _e7061 = type_26(_e3121.member, _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e2030, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, _e3121.member_23, _e3121.member_24, _e3121.member_25, _e3121.member_26, _e3121.member_27);
-let _e7092 = type_26(_e7061.member, _e7061.member_1, _e7061.member_2, _e7061.member_3, _e7061.member_4, _e7061.member_5, _e7061.member_6, _e7061.member_7, _e7061.member_8, _e7061.member_9, _e7061.member_10, _e7061.member_11, _e7061.member_12, select(1.1754944e-38f, _e3121.member_14, (_e3121.member_14 > 1.1754944e-38f)), _e7061.member_14, _e7061.member_15, _e7061.member_16, _e7061.member_17, _e7061.member_18, _e7061.member_19, _e7061.member_20, _e7061.member_21, _e7061.member_22, _e7061.member_23, _e7061.member_24, _e7061.member_25, _e7061.member_26, _e7061.member_27);
-let _e7120 = type_26(_e7092.member, _e7092.member_1, _e7092.member_2, _e7092.member_3, _e7092.member_4, _e7092.member_5, _e7092.member_6, _e7092.member_7, _e7092.member_8, _e7092.member_9, _e7092.member_10, 0i, _e7092.member_12, _e7092.member_13, _e7092.member_14, _e7092.member_15, _e7092.member_16, _e7092.member_17, _e7092.member_18, _e7092.member_19, _e7092.member_20, _e7092.member_21, _e7092.member_22, _e7092.member_23, _e7092.member_24, _e7092.member_25, _e7092.member_26, _e7092.member_27);
-let _e7148 = type_26(_e7120.member, _e7120.member_1, _e7120.member_2, _e7120.member_3, _e7120.member_4, _e7120.member_5, _e7120.member_6, _e7120.member_7, _e7120.member_8, _e7120.member_9, _e7120.member_10, _e7120.member_11, 0i, _e7120.member_13, _e7120.member_14, _e7120.member_15, _e7120.member_16, _e7120.member_17, _e7120.member_18, _e7120.member_19, _e7120.member_20, _e7120.member_21, _e7120.member_22, _e7120.member_23, _e7120.member_24, _e7120.member_25, _e7120.member_26, _e7120.member_27);
+let _e7061 = type_27(_e3121.member, _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e2030, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, _e3121.member_23, _e3121.member_24, _e3121.member_25, _e3121.member_26, _e3121.member_27);
+let _e7092 = type_27(_e7061.member, _e7061.member_1, _e7061.member_2, _e7061.member_3, _e7061.member_4, _e7061.member_5, _e7061.member_6, _e7061.member_7, _e7061.member_8, _e7061.member_9, _e7061.member_10, _e7061.member_11, _e7061.member_12, select(1.1754944e-38f, _e3121.member_14, (_e3121.member_14 > 1.1754944e-38f)), _e7061.member_14, _e7061.member_15, _e7061.member_16, _e7061.member_17, _e7061.member_18, _e7061.member_19, _e7061.member_20, _e7061.member_21, _e7061.member_22, _e7061.member_23, _e7061.member_24, _e7061.member_25, _e7061.member_26, _e7061.member_27);
+let _e7120 = type_27(_e7092.member, _e7092.member_1, _e7092.member_2, _e7092.member_3, _e7092.member_4, _e7092.member_5, _e7092.member_6, _e7092.member_7, _e7092.member_8, _e7092.member_9, _e7092.member_10, 0i, _e7092.member_12, _e7092.member_13, _e7092.member_14, _e7092.member_15, _e7092.member_16, _e7092.member_17, _e7092.member_18, _e7092.member_19, _e7092.member_20, _e7092.member_21, _e7092.member_22, _e7092.member_23, _e7092.member_24, _e7092.member_25, _e7092.member_26, _e7092.member_27);
+let _e7148 = type_27(_e7120.member, _e7120.member_1, _e7120.member_2, _e7120.member_3, _e7120.member_4, _e7120.member_5, _e7120.member_6, _e7120.member_7, _e7120.member_8, _e7120.member_9, _e7120.member_10, _e7120.member_11, 0i, _e7120.member_13, _e7120.member_14, _e7120.member_15, _e7120.member_16, _e7120.member_17, _e7120.member_18, _e7120.member_19, _e7120.member_20, _e7120.member_21, _e7120.member_22, _e7120.member_23, _e7120.member_24, _e7120.member_25, _e7120.member_26, _e7120.member_27);
 let _e7155 = global_5.member.member_14.member.member;
 let _e7169 = ((((_e7155.member.member * _e3121.member.x) + (_e7155.member.member_1 * _e3121.member.y)) + (_e7155.member.member_2 * _e3121.member.z)) + _e7155.member_1);
 let _e7178 = -((((_e7155.member.member * _e3121.member_1.x) + (_e7155.member.member_1 * _e3121.member_1.y)) + (_e7155.member.member_2 * _e3121.member_1.z)));
@@ -2275,15 +2287,15 @@ let _e7211 = (_e7209 > 1e-9f);
 let _e7215 = ((_e7203 / select(1e-9f, _e7209, _e7211)) - 0.015625f);
 let _e7218 = select(1e30f, select(0f, _e7215, (_e7215 > 0f)), ((_e7203 > 0f) && _e7211));
 let _e7222 = (_e7218 < _e7187);
-let _e7253 = type_26(_e7148.member, _e7148.member_1, _e7148.member_2, _e7148.member_3, _e7148.member_4, _e7148.member_5, _e7148.member_6, _e7148.member_7, 0i, _e7148.member_9, _e7148.member_10, _e7148.member_11, _e7148.member_12, _e7148.member_13, _e7148.member_14, _e7148.member_15, _e7148.member_16, _e7148.member_17, _e7148.member_18, _e7148.member_19, _e7148.member_20, _e7148.member_21, _e7148.member_22, _e7148.member_23, _e7148.member_24, _e7148.member_25, _e7148.member_26, _e7148.member_27);
-let _e7281 = type_26(_e7253.member, _e7253.member_1, _e7253.member_2, _e7253.member_3, _e7253.member_4, _e7253.member_5, _e7253.member_6, _e7253.member_7, _e7253.member_8, select(select(-2i, -3i, _e7222), -1i, ((_e7187 >= 1e30f) && (_e7218 >= 1e30f))), _e7253.member_10, _e7253.member_11, _e7253.member_12, _e7253.member_13, _e7253.member_14, _e7253.member_15, _e7253.member_16, _e7253.member_17, _e7253.member_18, _e7253.member_19, _e7253.member_20, _e7253.member_21, _e7253.member_22, _e7253.member_23, _e7253.member_24, _e7253.member_25, _e7253.member_26, _e7253.member_27);
-phi_12412_ = type_26(_e7281.member, _e7281.member_1, _e7281.member_2, _e7281.member_3, _e7281.member_4, _e7281.member_5, _e7281.member_6, _e7281.member_7, _e7281.member_8, _e7281.member_9, select(_e7187, _e7218, _e7222), _e7281.member_11, _e7281.member_12, _e7281.member_13, _e7281.member_14, _e7281.member_15, _e7281.member_16, _e7281.member_17, _e7281.member_18, _e7281.member_19, _e7281.member_20, _e7281.member_21, _e7281.member_22, _e7281.member_23, _e7281.member_24, _e7281.member_25, _e7281.member_26, _e7281.member_27);
-phi_12413_ = type_26();
+let _e7253 = type_27(_e7148.member, _e7148.member_1, _e7148.member_2, _e7148.member_3, _e7148.member_4, _e7148.member_5, _e7148.member_6, _e7148.member_7, 0i, _e7148.member_9, _e7148.member_10, _e7148.member_11, _e7148.member_12, _e7148.member_13, _e7148.member_14, _e7148.member_15, _e7148.member_16, _e7148.member_17, _e7148.member_18, _e7148.member_19, _e7148.member_20, _e7148.member_21, _e7148.member_22, _e7148.member_23, _e7148.member_24, _e7148.member_25, _e7148.member_26, _e7148.member_27);
+let _e7281 = type_27(_e7253.member, _e7253.member_1, _e7253.member_2, _e7253.member_3, _e7253.member_4, _e7253.member_5, _e7253.member_6, _e7253.member_7, _e7253.member_8, select(select(-2i, -3i, _e7222), -1i, ((_e7187 >= 1e30f) && (_e7218 >= 1e30f))), _e7253.member_10, _e7253.member_11, _e7253.member_12, _e7253.member_13, _e7253.member_14, _e7253.member_15, _e7253.member_16, _e7253.member_17, _e7253.member_18, _e7253.member_19, _e7253.member_20, _e7253.member_21, _e7253.member_22, _e7253.member_23, _e7253.member_24, _e7253.member_25, _e7253.member_26, _e7253.member_27);
+phi_12413_ = type_27(_e7281.member, _e7281.member_1, _e7281.member_2, _e7281.member_3, _e7281.member_4, _e7281.member_5, _e7281.member_6, _e7281.member_7, _e7281.member_8, _e7281.member_9, select(_e7187, _e7218, _e7222), _e7281.member_11, _e7281.member_12, _e7281.member_13, _e7281.member_14, _e7281.member_15, _e7281.member_16, _e7281.member_17, _e7281.member_18, _e7281.member_19, _e7281.member_20, _e7281.member_21, _e7281.member_22, _e7281.member_23, _e7281.member_24, _e7281.member_25, _e7281.member_26, _e7281.member_27);
+phi_12414_ = type_27();
 } else {
 let _e3143 = (_e3121.member.x + (_e3121.member_1.x * _e3121.member_10));
 let _e3146 = (_e3121.member.y + (_e3121.member_1.y * _e3121.member_10));
 let _e3149 = (_e3121.member.z + (_e3121.member_1.z * _e3121.member_10));
-let _e3178 = type_26(vec3<f32>(_e3143, _e3146, _e3149), _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e3121.member_7, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, _e3121.member_23, _e3121.member_24, _e3121.member_25, _e3121.member_26, _e3121.member_27);
+let _e3178 = type_27(vec3<f32>(_e3143, _e3146, _e3149), _e3121.member_1, _e3121.member_2, _e3121.member_3, _e3121.member_4, _e3121.member_5, _e3121.member_6, _e3121.member_7, _e3121.member_8, _e3121.member_9, _e3121.member_10, _e3121.member_11, _e3121.member_12, _e3121.member_13, _e3121.member_14, _e3121.member_15, _e3121.member_16, _e3121.member_17, _e3121.member_18, _e3121.member_19, _e3121.member_20, _e3121.member_21, _e3121.member_22, _e3121.member_23, _e3121.member_24, _e3121.member_25, _e3121.member_26, _e3121.member_27);
 let _e3180 = (_e3121.member_9 * 19i);
 let _e3182 = select(_e1991, _e3180, (_e3180 < _e1991));
 let _e3188 = global_2.member[bitcast<u32>(select(0i, _e3182, (_e3182 > 0i)))];
@@ -2381,8 +2393,8 @@ let _e3440 = (_e3417 * _e3430);
 let _e3441 = (_e3418 * _e3430);
 let _e3442 = (_e3419 * _e3430);
 if _e2021 {
-phi_8842_ = 1f;
 phi_8843_ = 1f;
+phi_8844_ = 1f;
 } else {
 let _e3444 = local_20;
 let _e3445 = (_e3444 * 4i);
@@ -2393,11 +2405,11 @@ let _e3457 = (_e3456 * 4i);
 let _e3459 = select(_e2009, _e3457, (_e3457 < _e2009));
 let _e3465 = global_3.member[bitcast<u32>(select(0i, _e3459, (_e3459 > 0i)))];
 let _e3467 = local_22;
-phi_8842_ = select(_e3465, 1f, (_e3467 == 16i));
-phi_8843_ = select(_e3453, 1f, _e1964);
+phi_8843_ = select(_e3465, 1f, (_e3467 == 16i));
+phi_8844_ = select(_e3453, 1f, _e1964);
 }
-let _e3471 = phi_8842_;
-let _e3473 = phi_8843_;
+let _e3471 = phi_8843_;
+let _e3473 = phi_8844_;
 let _e3480 = select(1f, -1f, ((((_e3121.member_1.x * _e3440) + (_e3121.member_1.y * _e3441)) + (_e3121.member_1.z * _e3442)) > 0f));
 let _e3481 = (_e3440 * _e3480);
 let _e3482 = (_e3441 * _e3480);
@@ -2436,11 +2448,11 @@ let _e3601 = (_e3121.member_3.x + (_e3121.member_5.x * _e3121.member_10));
 let _e3603 = (_e3121.member_3.y + (_e3121.member_5.y * _e3121.member_10));
 let _e3605 = (_e3121.member_3.z + (_e3121.member_5.z * _e3121.member_10));
 if ((_e3541 * _e3541) > 1e-12f) {
-phi_9076_ = (1f / _e3541);
+phi_9077_ = (1f / _e3541);
 } else {
-phi_9076_ = 0f;
+phi_9077_ = 0f;
 }
-let _e3610 = phi_9076_;
+let _e3610 = phi_9077_;
 let _e3616 = ((((_e3589 * _e3437) + (_e3591 * _e3438)) + (_e3593 * _e3439)) * _e3610);
 let _e3620 = (_e3589 - (_e3121.member_1.x * _e3616));
 let _e3621 = (_e3591 - (_e3121.member_1.y * _e3616));
@@ -2451,10 +2463,10 @@ let _e3633 = (_e3601 - (_e3121.member_1.x * _e3629));
 let _e3634 = (_e3603 - (_e3121.member_1.y * _e3629));
 let _e3635 = (_e3605 - (_e3121.member_1.z * _e3629));
 let _e3636 = vec3<f32>(_e3633, _e3634, _e3635);
-let _e3664 = type_26(_e3178.member, _e3178.member_1, _e3623, _e3178.member_3, _e3178.member_4, _e3178.member_5, _e3178.member_6, _e3178.member_7, _e3178.member_8, _e3178.member_9, _e3178.member_10, _e3178.member_11, _e3178.member_12, _e3178.member_13, _e3178.member_14, _e3178.member_15, _e3178.member_16, _e3178.member_17, _e3178.member_18, _e3178.member_19, _e3178.member_20, _e3178.member_21, _e3178.member_22, _e3178.member_23, _e3178.member_24, _e3178.member_25, _e3178.member_26, _e3178.member_27);
-let _e3692 = type_26(_e3664.member, _e3664.member_1, _e3664.member_2, _e3636, _e3664.member_4, _e3664.member_5, _e3664.member_6, _e3664.member_7, _e3664.member_8, _e3664.member_9, _e3664.member_10, _e3664.member_11, _e3664.member_12, _e3664.member_13, _e3664.member_14, _e3664.member_15, _e3664.member_16, _e3664.member_17, _e3664.member_18, _e3664.member_19, _e3664.member_20, _e3664.member_21, _e3664.member_22, _e3664.member_23, _e3664.member_24, _e3664.member_25, _e3664.member_26, _e3664.member_27);
-let _e3720 = type_26(_e3692.member, _e3692.member_1, _e3692.member_2, _e3692.member_3, _e3121.member_4, _e3692.member_5, _e3692.member_6, _e3692.member_7, _e3692.member_8, _e3692.member_9, _e3692.member_10, _e3692.member_11, _e3692.member_12, _e3692.member_13, _e3692.member_14, _e3692.member_15, _e3692.member_16, _e3692.member_17, _e3692.member_18, _e3692.member_19, _e3692.member_20, _e3692.member_21, _e3692.member_22, _e3692.member_23, _e3692.member_24, _e3692.member_25, _e3692.member_26, _e3692.member_27);
-let _e3748 = type_26(_e3720.member, _e3720.member_1, _e3720.member_2, _e3720.member_3, _e3720.member_4, _e3121.member_5, _e3720.member_6, _e3720.member_7, _e3720.member_8, _e3720.member_9, _e3720.member_10, _e3720.member_11, _e3720.member_12, _e3720.member_13, _e3720.member_14, _e3720.member_15, _e3720.member_16, _e3720.member_17, _e3720.member_18, _e3720.member_19, _e3720.member_20, _e3720.member_21, _e3720.member_22, _e3720.member_23, _e3720.member_24, _e3720.member_25, _e3720.member_26, _e3720.member_27);
+let _e3664 = type_27(_e3178.member, _e3178.member_1, _e3623, _e3178.member_3, _e3178.member_4, _e3178.member_5, _e3178.member_6, _e3178.member_7, _e3178.member_8, _e3178.member_9, _e3178.member_10, _e3178.member_11, _e3178.member_12, _e3178.member_13, _e3178.member_14, _e3178.member_15, _e3178.member_16, _e3178.member_17, _e3178.member_18, _e3178.member_19, _e3178.member_20, _e3178.member_21, _e3178.member_22, _e3178.member_23, _e3178.member_24, _e3178.member_25, _e3178.member_26, _e3178.member_27);
+let _e3692 = type_27(_e3664.member, _e3664.member_1, _e3664.member_2, _e3636, _e3664.member_4, _e3664.member_5, _e3664.member_6, _e3664.member_7, _e3664.member_8, _e3664.member_9, _e3664.member_10, _e3664.member_11, _e3664.member_12, _e3664.member_13, _e3664.member_14, _e3664.member_15, _e3664.member_16, _e3664.member_17, _e3664.member_18, _e3664.member_19, _e3664.member_20, _e3664.member_21, _e3664.member_22, _e3664.member_23, _e3664.member_24, _e3664.member_25, _e3664.member_26, _e3664.member_27);
+let _e3720 = type_27(_e3692.member, _e3692.member_1, _e3692.member_2, _e3692.member_3, _e3121.member_4, _e3692.member_5, _e3692.member_6, _e3692.member_7, _e3692.member_8, _e3692.member_9, _e3692.member_10, _e3692.member_11, _e3692.member_12, _e3692.member_13, _e3692.member_14, _e3692.member_15, _e3692.member_16, _e3692.member_17, _e3692.member_18, _e3692.member_19, _e3692.member_20, _e3692.member_21, _e3692.member_22, _e3692.member_23, _e3692.member_24, _e3692.member_25, _e3692.member_26, _e3692.member_27);
+let _e3748 = type_27(_e3720.member, _e3720.member_1, _e3720.member_2, _e3720.member_3, _e3720.member_4, _e3121.member_5, _e3720.member_6, _e3720.member_7, _e3720.member_8, _e3720.member_9, _e3720.member_10, _e3720.member_11, _e3720.member_12, _e3720.member_13, _e3720.member_14, _e3720.member_15, _e3720.member_16, _e3720.member_17, _e3720.member_18, _e3720.member_19, _e3720.member_20, _e3720.member_21, _e3720.member_22, _e3720.member_23, _e3720.member_24, _e3720.member_25, _e3720.member_26, _e3720.member_27);
 if _e2021 {
 let _e4482 = (_e2007 + 1i);
 let _e4484 = select(_e2009, _e4482, (_e4482 < _e2009));
@@ -2469,14 +2481,14 @@ let _e4515 = (1f / 3f);
 let _e4519 = (_e3121.member_6.x * _e4490);
 let _e4522 = (_e3121.member_6.y * _e4499);
 let _e4525 = (_e3121.member_6.z * _e4508);
-let _e4554 = type_26(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, vec3<f32>(_e4519, _e4522, _e4525), _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, _e3748.member_18, _e3748.member_19, _e3748.member_20, _e3748.member_21, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, _e3748.member_27);
+let _e4554 = type_27(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, vec3<f32>(_e4519, _e4522, _e4525), _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, _e3748.member_18, _e3748.member_19, _e3748.member_20, _e3748.member_21, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, _e3748.member_27);
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3121.member_17 & ((1i << bitcast<u32>((_e3121.member_16 & 31i))) - 1i))))) == _e3121.member_20) {
-phi_9207_ = ((((_e3121.member_6.x + _e3121.member_6.y) + _e3121.member_6.z) * _e4515) - (((_e4519 + _e4522) + _e4525) * _e4515));
+phi_9208_ = ((((_e3121.member_6.x + _e3121.member_6.y) + _e3121.member_6.z) * _e4515) - (((_e4519 + _e4522) + _e4525) * _e4515));
 } else {
-phi_9207_ = 0f;
+phi_9208_ = 0f;
 }
-let _e4572 = phi_9207_;
-let _e4602 = type_26(_e4554.member, _e4554.member_1, _e4554.member_2, _e4554.member_3, _e4554.member_4, _e4554.member_5, _e4554.member_6, _e4554.member_7, _e4554.member_8, _e4554.member_9, _e4554.member_10, _e4554.member_11, _e4554.member_12, _e4554.member_13, _e4554.member_14, _e4554.member_15, _e4554.member_16, _e4554.member_17, _e4554.member_18, _e4554.member_19, _e4554.member_20, _e4554.member_21, _e4554.member_22, _e4554.member_23, _e4554.member_24, (_e3121.member_25 + _e4572), _e4554.member_26, _e4554.member_27);
+let _e4572 = phi_9208_;
+let _e4602 = type_27(_e4554.member, _e4554.member_1, _e4554.member_2, _e4554.member_3, _e4554.member_4, _e4554.member_5, _e4554.member_6, _e4554.member_7, _e4554.member_8, _e4554.member_9, _e4554.member_10, _e4554.member_11, _e4554.member_12, _e4554.member_13, _e4554.member_14, _e4554.member_15, _e4554.member_16, _e4554.member_17, _e4554.member_18, _e4554.member_19, _e4554.member_20, _e4554.member_21, _e4554.member_22, _e4554.member_23, _e4554.member_24, (_e3121.member_25 + _e4572), _e4554.member_26, _e4554.member_27);
 let _e4609 = select(1f, -1f, ((((_e3569 * _e3121.member_1.x) + (_e3570 * _e3121.member_1.y)) + (_e3571 * _e3121.member_1.z)) > 0f));
 let _e4610 = (_e3569 * _e4609);
 let _e4611 = (_e3570 * _e4609);
@@ -2509,18 +2521,18 @@ let _e4714 = (_e4703 - (_e4610 * _e4710));
 let _e4715 = (_e4704 - (_e4611 * _e4710));
 let _e4716 = (_e4705 - (_e4612 * _e4710));
 let _e4728 = -(((((_e3121.member_5.x * _e4610) + (_e3121.member_5.y * _e4611)) + (_e3121.member_5.z * _e4612)) + (((_e3121.member_1.x * _e4714) + (_e3121.member_1.y * _e4715)) + (_e3121.member_1.z * _e4716))));
-let _e4770 = type_26(_e4602.member, _e4602.member_1, _e3623, _e4602.member_3, _e4602.member_4, _e4602.member_5, _e4602.member_6, _e4602.member_7, _e4602.member_8, _e4602.member_9, _e4602.member_10, _e4602.member_11, _e4602.member_12, _e4602.member_13, _e4602.member_14, _e4602.member_15, _e4602.member_16, _e4602.member_17, _e4602.member_18, _e4602.member_19, _e4602.member_20, _e4602.member_21, _e4602.member_22, _e4602.member_23, _e4602.member_24, _e4602.member_25, _e4602.member_26, _e4602.member_27);
-let _e4798 = type_26(_e4770.member, _e4770.member_1, _e4770.member_2, _e3636, _e4770.member_4, _e4770.member_5, _e4770.member_6, _e4770.member_7, _e4770.member_8, _e4770.member_9, _e4770.member_10, _e4770.member_11, _e4770.member_12, _e4770.member_13, _e4770.member_14, _e4770.member_15, _e4770.member_16, _e4770.member_17, _e4770.member_18, _e4770.member_19, _e4770.member_20, _e4770.member_21, _e4770.member_22, _e4770.member_23, _e4770.member_24, _e4770.member_25, _e4770.member_26, _e4770.member_27);
-let _e4826 = type_26(_e4798.member, _e4798.member_1, _e4798.member_2, _e4798.member_3, (_e3121.member_4 + vec3<f32>((((_e4649 * _e4657) + (_e4610 * _e4669)) * 2f), (((_e4650 * _e4657) + (_e4611 * _e4669)) * 2f), (((_e4651 * _e4657) + (_e4612 * _e4669)) * 2f))), _e4798.member_5, _e4798.member_6, _e4798.member_7, _e4798.member_8, _e4798.member_9, _e4798.member_10, _e4798.member_11, _e4798.member_12, _e4798.member_13, _e4798.member_14, _e4798.member_15, _e4798.member_16, _e4798.member_17, _e4798.member_18, _e4798.member_19, _e4798.member_20, _e4798.member_21, _e4798.member_22, _e4798.member_23, _e4798.member_24, _e4798.member_25, _e4798.member_26, _e4798.member_27);
-let _e4854 = type_26(_e4826.member, _e4826.member_1, _e4826.member_2, _e4826.member_3, _e4826.member_4, (_e3121.member_5 + vec3<f32>((((_e4714 * _e4657) + (_e4610 * _e4728)) * 2f), (((_e4715 * _e4657) + (_e4611 * _e4728)) * 2f), (((_e4716 * _e4657) + (_e4612 * _e4728)) * 2f))), _e4826.member_6, _e4826.member_7, _e4826.member_8, _e4826.member_9, _e4826.member_10, _e4826.member_11, _e4826.member_12, _e4826.member_13, _e4826.member_14, _e4826.member_15, _e4826.member_16, _e4826.member_17, _e4826.member_18, _e4826.member_19, _e4826.member_20, _e4826.member_21, _e4826.member_22, _e4826.member_23, _e4826.member_24, _e4826.member_25, _e4826.member_26, _e4826.member_27);
+let _e4770 = type_27(_e4602.member, _e4602.member_1, _e3623, _e4602.member_3, _e4602.member_4, _e4602.member_5, _e4602.member_6, _e4602.member_7, _e4602.member_8, _e4602.member_9, _e4602.member_10, _e4602.member_11, _e4602.member_12, _e4602.member_13, _e4602.member_14, _e4602.member_15, _e4602.member_16, _e4602.member_17, _e4602.member_18, _e4602.member_19, _e4602.member_20, _e4602.member_21, _e4602.member_22, _e4602.member_23, _e4602.member_24, _e4602.member_25, _e4602.member_26, _e4602.member_27);
+let _e4798 = type_27(_e4770.member, _e4770.member_1, _e4770.member_2, _e3636, _e4770.member_4, _e4770.member_5, _e4770.member_6, _e4770.member_7, _e4770.member_8, _e4770.member_9, _e4770.member_10, _e4770.member_11, _e4770.member_12, _e4770.member_13, _e4770.member_14, _e4770.member_15, _e4770.member_16, _e4770.member_17, _e4770.member_18, _e4770.member_19, _e4770.member_20, _e4770.member_21, _e4770.member_22, _e4770.member_23, _e4770.member_24, _e4770.member_25, _e4770.member_26, _e4770.member_27);
+let _e4826 = type_27(_e4798.member, _e4798.member_1, _e4798.member_2, _e4798.member_3, (_e3121.member_4 + vec3<f32>((((_e4649 * _e4657) + (_e4610 * _e4669)) * 2f), (((_e4650 * _e4657) + (_e4611 * _e4669)) * 2f), (((_e4651 * _e4657) + (_e4612 * _e4669)) * 2f))), _e4798.member_5, _e4798.member_6, _e4798.member_7, _e4798.member_8, _e4798.member_9, _e4798.member_10, _e4798.member_11, _e4798.member_12, _e4798.member_13, _e4798.member_14, _e4798.member_15, _e4798.member_16, _e4798.member_17, _e4798.member_18, _e4798.member_19, _e4798.member_20, _e4798.member_21, _e4798.member_22, _e4798.member_23, _e4798.member_24, _e4798.member_25, _e4798.member_26, _e4798.member_27);
+let _e4854 = type_27(_e4826.member, _e4826.member_1, _e4826.member_2, _e4826.member_3, _e4826.member_4, (_e3121.member_5 + vec3<f32>((((_e4714 * _e4657) + (_e4610 * _e4728)) * 2f), (((_e4715 * _e4657) + (_e4611 * _e4728)) * 2f), (((_e4716 * _e4657) + (_e4612 * _e4728)) * 2f))), _e4826.member_6, _e4826.member_7, _e4826.member_8, _e4826.member_9, _e4826.member_10, _e4826.member_11, _e4826.member_12, _e4826.member_13, _e4826.member_14, _e4826.member_15, _e4826.member_16, _e4826.member_17, _e4826.member_18, _e4826.member_19, _e4826.member_20, _e4826.member_21, _e4826.member_22, _e4826.member_23, _e4826.member_24, _e4826.member_25, _e4826.member_26, _e4826.member_27);
 let _e4856 = select(1f, -1f, (_e4656 > 0f));
 let _e4857 = (_e4610 * _e4856);
 let _e4858 = (_e4611 * _e4856);
 let _e4859 = (_e4612 * _e4856);
 let _e4865 = -((((_e3121.member_1.x * _e4857) + (_e3121.member_1.y * _e4858)) + (_e3121.member_1.z * _e4859)));
 let _e4868 = (2f * select(0f, _e4865, (_e4865 > 0f)));
-let _e4901 = type_26(_e4854.member, (_e3121.member_1 + vec3<f32>((_e4857 * _e4868), (_e4858 * _e4868), (_e4859 * _e4868))), _e4854.member_2, _e4854.member_3, _e4854.member_4, _e4854.member_5, _e4854.member_6, _e4854.member_7, _e4854.member_8, _e4854.member_9, _e4854.member_10, _e4854.member_11, _e4854.member_12, _e4854.member_13, _e4854.member_14, _e4854.member_15, _e4854.member_16, _e4854.member_17, _e4854.member_18, _e4854.member_19, _e4854.member_20, _e4854.member_21, _e4854.member_22, _e4854.member_23, _e4854.member_24, _e4854.member_25, _e4854.member_26, _e4854.member_27);
-phi_10211_ = type_26(_e4901.member, _e4901.member_1, _e4901.member_2, _e4901.member_3, _e4901.member_4, _e4901.member_5, _e4901.member_6, _e4901.member_7, _e4901.member_8, _e4901.member_9, _e4901.member_10, _e4901.member_11, _e4901.member_12, _e4901.member_13, _e4901.member_14, _e4901.member_15, (_e3121.member_16 + 1i), _e4901.member_17, _e4901.member_18, _e4901.member_19, _e4901.member_20, _e4901.member_21, _e4901.member_22, _e4901.member_23, _e4901.member_24, _e4901.member_25, _e4901.member_26, _e4901.member_27);
+let _e4901 = type_27(_e4854.member, (_e3121.member_1 + vec3<f32>((_e4857 * _e4868), (_e4858 * _e4868), (_e4859 * _e4868))), _e4854.member_2, _e4854.member_3, _e4854.member_4, _e4854.member_5, _e4854.member_6, _e4854.member_7, _e4854.member_8, _e4854.member_9, _e4854.member_10, _e4854.member_11, _e4854.member_12, _e4854.member_13, _e4854.member_14, _e4854.member_15, _e4854.member_16, _e4854.member_17, _e4854.member_18, _e4854.member_19, _e4854.member_20, _e4854.member_21, _e4854.member_22, _e4854.member_23, _e4854.member_24, _e4854.member_25, _e4854.member_26, _e4854.member_27);
+phi_10212_ = type_27(_e4901.member, _e4901.member_1, _e4901.member_2, _e4901.member_3, _e4901.member_4, _e4901.member_5, _e4901.member_6, _e4901.member_7, _e4901.member_8, _e4901.member_9, _e4901.member_10, _e4901.member_11, _e4901.member_12, _e4901.member_13, _e4901.member_14, _e4901.member_15, (_e3121.member_16 + 1i), _e4901.member_17, _e4901.member_18, _e4901.member_19, _e4901.member_20, _e4901.member_21, _e4901.member_22, _e4901.member_23, _e4901.member_24, _e4901.member_25, _e4901.member_26, _e4901.member_27);
 } else {
 let _e3752 = global_5.member.member_12.member_2;
 let _e3754 = local_23;
@@ -2574,30 +2586,30 @@ let _e3900 = ((select(_e3121.member_6.z, _e3895, (_e3895 > _e3121.member_6.z)) *
 let _e3902 = (1i << bitcast<u32>(_e3882));
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e3121.member_17 & (_e3902 - 1i))))) == _e3121.member_20) {
 if _e3900 {
-phi_9880_ = type_26(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, _e3748.member_6, _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, _e3748.member_18, _e3748.member_19, _e3748.member_20, 1i, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, _e3748.member_27);
+phi_9881_ = type_27(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, _e3748.member_6, _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, _e3748.member_18, _e3748.member_19, _e3748.member_20, 1i, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, _e3748.member_27);
 } else {
-phi_9880_ = type_26(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, _e3748.member_6, _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, _e3748.member_18, _e3748.member_19, _e3748.member_20, _e3748.member_21, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, (_e3121.member_27 + ((((_e3121.member_6.x + _e3121.member_6.y) + _e3121.member_6.z) * (1f / 3f)) * _e3878)));
+phi_9881_ = type_27(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, _e3748.member_6, _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, _e3748.member_18, _e3748.member_19, _e3748.member_20, _e3748.member_21, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, (_e3121.member_27 + ((((_e3121.member_6.x + _e3121.member_6.y) + _e3121.member_6.z) * (1f / 3f)) * _e3878)));
 }
-let _e4005 = phi_9880_;
-phi_9890_ = _e4005;
+let _e4005 = phi_9881_;
+phi_9891_ = _e4005;
 } else {
-phi_9890_ = type_26(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, _e3748.member_6, _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, (_e3121.member_18 | select(0i, _e3902, _e3900)), _e3748.member_19, _e3748.member_20, _e3748.member_21, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, _e3748.member_27);
+phi_9891_ = type_27(_e3748.member, _e3748.member_1, _e3748.member_2, _e3748.member_3, _e3748.member_4, _e3748.member_5, _e3748.member_6, _e3748.member_7, _e3748.member_8, _e3748.member_9, _e3748.member_10, _e3748.member_11, _e3748.member_12, _e3748.member_13, _e3748.member_14, _e3748.member_15, _e3748.member_16, _e3748.member_17, (_e3121.member_18 | select(0i, _e3902, _e3900)), _e3748.member_19, _e3748.member_20, _e3748.member_21, _e3748.member_22, _e3748.member_23, _e3748.member_24, _e3748.member_25, _e3748.member_26, _e3748.member_27);
 }
-let _e4007 = phi_9890_;
-phi_9891_ = _e4007;
+let _e4007 = phi_9891_;
+phi_9892_ = _e4007;
 } else {
-phi_9891_ = _e3748;
+phi_9892_ = _e3748;
 }
-let _e4009 = phi_9891_;
+let _e4009 = phi_9892_;
 let _e4010 = (((_e3121.member_16 < _e3121.member_19) && (((_e3121.member_17 >> bitcast<u32>(_e3882)) & 1i) == 1i)) != (_e3873 > 0.5f));
 let _e4011 = (_e3804 || _e4010);
 if _e3804 {
-phi_9911_ = _e4009;
+phi_9912_ = _e4009;
 } else {
 let _e4012 = select(_e3876, _e3873, _e4010);
-phi_9911_ = type_26(_e4009.member, _e4009.member_1, _e4009.member_2, _e4009.member_3, _e4009.member_4, _e4009.member_5, vec3<f32>((_e4009.member_6.x * _e4012), (_e4009.member_6.y * _e4012), (_e4009.member_6.z * _e4012)), _e4009.member_7, _e4009.member_8, _e4009.member_9, _e4009.member_10, _e4009.member_11, _e4009.member_12, _e4009.member_13, _e4009.member_14, _e4009.member_15, _e4009.member_16, _e4009.member_17, _e4009.member_18, _e4009.member_19, _e4009.member_20, _e4009.member_21, _e4009.member_22, _e4009.member_23, _e4009.member_24, _e4009.member_25, _e4009.member_26, _e4009.member_27);
+phi_9912_ = type_27(_e4009.member, _e4009.member_1, _e4009.member_2, _e4009.member_3, _e4009.member_4, _e4009.member_5, vec3<f32>((_e4009.member_6.x * _e4012), (_e4009.member_6.y * _e4012), (_e4009.member_6.z * _e4012)), _e4009.member_7, _e4009.member_8, _e4009.member_9, _e4009.member_10, _e4009.member_11, _e4009.member_12, _e4009.member_13, _e4009.member_14, _e4009.member_15, _e4009.member_16, _e4009.member_17, _e4009.member_18, _e4009.member_19, _e4009.member_20, _e4009.member_21, _e4009.member_22, _e4009.member_23, _e4009.member_24, _e4009.member_25, _e4009.member_26, _e4009.member_27);
 }
-let _e4052 = phi_9911_;
+let _e4052 = phi_9912_;
 let _e4063 = select(1f, -1f, ((((_e3569 * _e4052.member_1.x) + (_e3570 * _e4052.member_1.y)) + (_e3571 * _e4052.member_1.z)) > 0f));
 let _e4064 = (_e3569 * _e4063);
 let _e4065 = (_e3570 * _e4063);
@@ -2620,16 +2632,16 @@ let _e4112 = (_e4101 - (_e4066 * _e4106));
 let _e4118 = -((((_e4052.member_1.x * _e4064) + (_e4052.member_1.y * _e4065)) + (_e4052.member_1.z * _e4066)));
 let _e4133 = -(((((_e4052.member_4.x * _e4064) + (_e4052.member_4.y * _e4065)) + (_e4052.member_4.z * _e4066)) + (((_e4052.member_1.x * _e4110) + (_e4052.member_1.y * _e4111)) + (_e4052.member_1.z * _e4112))));
 if _e4011 {
-phi_10066_ = (_e4052.member_4 + vec3<f32>((((_e4110 * _e4118) + (_e4064 * _e4133)) * 2f), (((_e4111 * _e4118) + (_e4065 * _e4133)) * 2f), (((_e4112 * _e4118) + (_e4066 * _e4133)) * 2f)));
+phi_10067_ = (_e4052.member_4 + vec3<f32>((((_e4110 * _e4118) + (_e4064 * _e4133)) * 2f), (((_e4111 * _e4118) + (_e4065 * _e4133)) * 2f), (((_e4112 * _e4118) + (_e4066 * _e4133)) * 2f)));
 } else {
 let _e4137 = (1f - (_e3799 * (1f - (_e4118 * _e4118))));
 let _e4139 = select(1e-12f, _e4137, (_e4137 > 1e-12f));
 let _e4142 = sqrt(select(0f, _e4139, (_e4139 > 0f)));
 let _e4144 = ((_e3798 * _e4118) - _e4142);
 let _e4148 = ((_e3798 - ((_e3799 * _e4118) / _e4142)) * _e4133);
-phi_10066_ = vec3<f32>((((_e4052.member_4.x * _e3798) + (_e4110 * _e4144)) + (_e4064 * _e4148)), (((_e4052.member_4.y * _e3798) + (_e4111 * _e4144)) + (_e4065 * _e4148)), (((_e4052.member_4.z * _e3798) + (_e4112 * _e4144)) + (_e4066 * _e4148)));
+phi_10067_ = vec3<f32>((((_e4052.member_4.x * _e3798) + (_e4110 * _e4144)) + (_e4064 * _e4148)), (((_e4052.member_4.y * _e3798) + (_e4111 * _e4144)) + (_e4065 * _e4148)), (((_e4052.member_4.z * _e3798) + (_e4112 * _e4144)) + (_e4066 * _e4148)));
 }
-let _e4180 = phi_10066_;
+let _e4180 = phi_10067_;
 let _e4188 = (((_e3572 * _e4052.member_3.x) + (_e3573 * _e4052.member_3.y)) + (_e3574 * _e4052.member_3.z));
 let _e4196 = (((_e3575 * _e4052.member_3.x) + (_e3576 * _e4052.member_3.y)) + (_e3577 * _e4052.member_3.z));
 let _e4203 = (((_e4067 * _e4188) + (_e4070 * _e4196)) * _e3430);
@@ -2641,34 +2653,34 @@ let _e4215 = (_e4204 - (_e4065 * _e4210));
 let _e4216 = (_e4205 - (_e4066 * _e4210));
 let _e4231 = -(((((_e4052.member_5.x * _e4064) + (_e4052.member_5.y * _e4065)) + (_e4052.member_5.z * _e4066)) + (((_e4052.member_1.x * _e4214) + (_e4052.member_1.y * _e4215)) + (_e4052.member_1.z * _e4216))));
 if _e4011 {
-phi_10192_ = (_e4052.member_5 + vec3<f32>((((_e4214 * _e4118) + (_e4064 * _e4231)) * 2f), (((_e4215 * _e4118) + (_e4065 * _e4231)) * 2f), (((_e4216 * _e4118) + (_e4066 * _e4231)) * 2f)));
+phi_10193_ = (_e4052.member_5 + vec3<f32>((((_e4214 * _e4118) + (_e4064 * _e4231)) * 2f), (((_e4215 * _e4118) + (_e4065 * _e4231)) * 2f), (((_e4216 * _e4118) + (_e4066 * _e4231)) * 2f)));
 } else {
 let _e4235 = (1f - (_e3799 * (1f - (_e4118 * _e4118))));
 let _e4237 = select(1e-12f, _e4235, (_e4235 > 1e-12f));
 let _e4240 = sqrt(select(0f, _e4237, (_e4237 > 0f)));
 let _e4242 = ((_e3798 * _e4118) - _e4240);
 let _e4246 = ((_e3798 - ((_e3799 * _e4118) / _e4240)) * _e4231);
-phi_10192_ = vec3<f32>((((_e4052.member_5.x * _e3798) + (_e4214 * _e4242)) + (_e4064 * _e4246)), (((_e4052.member_5.y * _e3798) + (_e4215 * _e4242)) + (_e4065 * _e4246)), (((_e4052.member_5.z * _e3798) + (_e4216 * _e4242)) + (_e4066 * _e4246)));
+phi_10193_ = vec3<f32>((((_e4052.member_5.x * _e3798) + (_e4214 * _e4242)) + (_e4064 * _e4246)), (((_e4052.member_5.y * _e3798) + (_e4215 * _e4242)) + (_e4065 * _e4246)), (((_e4052.member_5.z * _e3798) + (_e4216 * _e4242)) + (_e4066 * _e4246)));
 }
-let _e4278 = phi_10192_;
-let _e4306 = type_26(_e4052.member, _e4052.member_1, _e4052.member_2, _e4052.member_3, _e4052.member_4, _e4052.member_5, _e4052.member_6, _e4052.member_7, _e4052.member_8, _e4052.member_9, _e4052.member_10, _e4052.member_11, _e4052.member_12, _e4052.member_13, _e4052.member_14, _e4052.member_15, _e4052.member_16, _e4052.member_17, _e4052.member_18, _e4052.member_19, _e4052.member_20, _e4052.member_21, _e4052.member_22, _e4052.member_23, _e4052.member_24, _e4052.member_25, _e4052.member_26, _e4052.member_27);
-let _e4334 = type_26(_e4306.member, _e4306.member_1, _e4306.member_2, _e4052.member_3, _e4306.member_4, _e4306.member_5, _e4306.member_6, _e4306.member_7, _e4306.member_8, _e4306.member_9, _e4306.member_10, _e4306.member_11, _e4306.member_12, _e4306.member_13, _e4306.member_14, _e4306.member_15, _e4306.member_16, _e4306.member_17, _e4306.member_18, _e4306.member_19, _e4306.member_20, _e4306.member_21, _e4306.member_22, _e4306.member_23, _e4306.member_24, _e4306.member_25, _e4306.member_26, _e4306.member_27);
-let _e4362 = type_26(_e4334.member, _e4334.member_1, _e4334.member_2, _e4334.member_3, _e4180, _e4334.member_5, _e4334.member_6, _e4334.member_7, _e4334.member_8, _e4334.member_9, _e4334.member_10, _e4334.member_11, _e4334.member_12, _e4334.member_13, _e4334.member_14, _e4334.member_15, _e4334.member_16, _e4334.member_17, _e4334.member_18, _e4334.member_19, _e4334.member_20, _e4334.member_21, _e4334.member_22, _e4334.member_23, _e4334.member_24, _e4334.member_25, _e4334.member_26, _e4334.member_27);
-let _e4390 = type_26(_e4362.member, _e4362.member_1, _e4362.member_2, _e4362.member_3, _e4362.member_4, _e4278, _e4362.member_6, _e4362.member_7, _e4362.member_8, _e4362.member_9, _e4362.member_10, _e4362.member_11, _e4362.member_12, _e4362.member_13, _e4362.member_14, _e4362.member_15, _e4362.member_16, _e4362.member_17, _e4362.member_18, _e4362.member_19, _e4362.member_20, _e4362.member_21, _e4362.member_22, _e4362.member_23, _e4362.member_24, _e4362.member_25, _e4362.member_26, _e4362.member_27);
-let _e4420 = type_26(_e4390.member, select(vec3<f32>((_e3828 * _e3841), (_e3829 * _e3841), (_e3830 * _e3841)), (_e3121.member_1 + vec3<f32>(_e3820, _e3821, _e3822)), vec3(_e4011)), _e4390.member_2, _e4390.member_3, _e4390.member_4, _e4390.member_5, _e4390.member_6, _e4390.member_7, _e4390.member_8, _e4390.member_9, _e4390.member_10, _e4390.member_11, _e4390.member_12, _e4390.member_13, _e4390.member_14, _e4390.member_15, _e4390.member_16, _e4390.member_17, _e4390.member_18, _e4390.member_19, _e4390.member_20, _e4390.member_21, _e4390.member_22, _e4390.member_23, _e4390.member_24, _e4390.member_25, _e4390.member_26, _e4390.member_27);
-let _e4450 = type_26(_e4420.member, _e4420.member_1, _e4420.member_2, _e4420.member_3, _e4420.member_4, _e4420.member_5, _e4420.member_6, _e4420.member_7, _e4420.member_8, _e4420.member_9, _e4420.member_10, _e4420.member_11, _e4420.member_12, _e4420.member_13, _e4420.member_14, _e4420.member_15, (_e4052.member_16 + 1i), _e4420.member_17, _e4420.member_18, _e4420.member_19, _e4420.member_20, _e4420.member_21, _e4420.member_22, _e4420.member_23, _e4420.member_24, _e4420.member_25, _e4420.member_26, _e4420.member_27);
+let _e4278 = phi_10193_;
+let _e4306 = type_27(_e4052.member, _e4052.member_1, _e4052.member_2, _e4052.member_3, _e4052.member_4, _e4052.member_5, _e4052.member_6, _e4052.member_7, _e4052.member_8, _e4052.member_9, _e4052.member_10, _e4052.member_11, _e4052.member_12, _e4052.member_13, _e4052.member_14, _e4052.member_15, _e4052.member_16, _e4052.member_17, _e4052.member_18, _e4052.member_19, _e4052.member_20, _e4052.member_21, _e4052.member_22, _e4052.member_23, _e4052.member_24, _e4052.member_25, _e4052.member_26, _e4052.member_27);
+let _e4334 = type_27(_e4306.member, _e4306.member_1, _e4306.member_2, _e4052.member_3, _e4306.member_4, _e4306.member_5, _e4306.member_6, _e4306.member_7, _e4306.member_8, _e4306.member_9, _e4306.member_10, _e4306.member_11, _e4306.member_12, _e4306.member_13, _e4306.member_14, _e4306.member_15, _e4306.member_16, _e4306.member_17, _e4306.member_18, _e4306.member_19, _e4306.member_20, _e4306.member_21, _e4306.member_22, _e4306.member_23, _e4306.member_24, _e4306.member_25, _e4306.member_26, _e4306.member_27);
+let _e4362 = type_27(_e4334.member, _e4334.member_1, _e4334.member_2, _e4334.member_3, _e4180, _e4334.member_5, _e4334.member_6, _e4334.member_7, _e4334.member_8, _e4334.member_9, _e4334.member_10, _e4334.member_11, _e4334.member_12, _e4334.member_13, _e4334.member_14, _e4334.member_15, _e4334.member_16, _e4334.member_17, _e4334.member_18, _e4334.member_19, _e4334.member_20, _e4334.member_21, _e4334.member_22, _e4334.member_23, _e4334.member_24, _e4334.member_25, _e4334.member_26, _e4334.member_27);
+let _e4390 = type_27(_e4362.member, _e4362.member_1, _e4362.member_2, _e4362.member_3, _e4362.member_4, _e4278, _e4362.member_6, _e4362.member_7, _e4362.member_8, _e4362.member_9, _e4362.member_10, _e4362.member_11, _e4362.member_12, _e4362.member_13, _e4362.member_14, _e4362.member_15, _e4362.member_16, _e4362.member_17, _e4362.member_18, _e4362.member_19, _e4362.member_20, _e4362.member_21, _e4362.member_22, _e4362.member_23, _e4362.member_24, _e4362.member_25, _e4362.member_26, _e4362.member_27);
+let _e4420 = type_27(_e4390.member, select(vec3<f32>((_e3828 * _e3841), (_e3829 * _e3841), (_e3830 * _e3841)), (_e3121.member_1 + vec3<f32>(_e3820, _e3821, _e3822)), vec3(_e4011)), _e4390.member_2, _e4390.member_3, _e4390.member_4, _e4390.member_5, _e4390.member_6, _e4390.member_7, _e4390.member_8, _e4390.member_9, _e4390.member_10, _e4390.member_11, _e4390.member_12, _e4390.member_13, _e4390.member_14, _e4390.member_15, _e4390.member_16, _e4390.member_17, _e4390.member_18, _e4390.member_19, _e4390.member_20, _e4390.member_21, _e4390.member_22, _e4390.member_23, _e4390.member_24, _e4390.member_25, _e4390.member_26, _e4390.member_27);
+let _e4450 = type_27(_e4420.member, _e4420.member_1, _e4420.member_2, _e4420.member_3, _e4420.member_4, _e4420.member_5, _e4420.member_6, _e4420.member_7, _e4420.member_8, _e4420.member_9, _e4420.member_10, _e4420.member_11, _e4420.member_12, _e4420.member_13, _e4420.member_14, _e4420.member_15, (_e4052.member_16 + 1i), _e4420.member_17, _e4420.member_18, _e4420.member_19, _e4420.member_20, _e4420.member_21, _e4420.member_22, _e4420.member_23, _e4420.member_24, _e4420.member_25, _e4420.member_26, _e4420.member_27);
 if !(_e4011) {
-phi_10210_ = type_26(_e4450.member, _e4450.member_1, _e4450.member_2, _e4450.member_3, _e4450.member_4, _e4450.member_5, _e4450.member_6, _e2030, _e4450.member_8, _e4450.member_9, _e4450.member_10, _e4450.member_11, _e4450.member_12, _e4450.member_13, _e4450.member_14, _e4450.member_15, _e4450.member_16, _e4450.member_17, _e4450.member_18, _e4450.member_19, _e4450.member_20, _e4450.member_21, _e4450.member_22, _e4450.member_23, _e4450.member_24, _e4450.member_25, _e4450.member_26, _e4450.member_27);
+phi_10211_ = type_27(_e4450.member, _e4450.member_1, _e4450.member_2, _e4450.member_3, _e4450.member_4, _e4450.member_5, _e4450.member_6, _e2030, _e4450.member_8, _e4450.member_9, _e4450.member_10, _e4450.member_11, _e4450.member_12, _e4450.member_13, _e4450.member_14, _e4450.member_15, _e4450.member_16, _e4450.member_17, _e4450.member_18, _e4450.member_19, _e4450.member_20, _e4450.member_21, _e4450.member_22, _e4450.member_23, _e4450.member_24, _e4450.member_25, _e4450.member_26, _e4450.member_27);
 } else {
-phi_10210_ = _e4450;
+phi_10211_ = _e4450;
 }
-let _e4481 = phi_10210_;
-phi_10211_ = _e4481;
+let _e4481 = phi_10211_;
+phi_10212_ = _e4481;
 }
-let _e4932 = phi_10211_;
-let _e4960 = type_26(_e4932.member, _e4932.member_1, _e4932.member_2, _e4932.member_3, _e4932.member_4, _e4932.member_5, _e4932.member_6, _e4932.member_7, _e4932.member_8, _e4932.member_9, _e4932.member_10, _e4932.member_11, _e4932.member_12, 0f, _e4932.member_14, _e4932.member_15, _e4932.member_16, _e4932.member_17, _e4932.member_18, _e4932.member_19, _e4932.member_20, _e4932.member_21, _e4932.member_22, _e4932.member_23, _e4932.member_24, _e4932.member_25, _e4932.member_26, _e4932.member_27);
-let _e4988 = type_26(_e4960.member, _e4960.member_1, _e4960.member_2, _e4960.member_3, _e4960.member_4, _e4960.member_5, _e4960.member_6, _e4960.member_7, _e4960.member_8, _e4960.member_9, _e4960.member_10, 0i, _e4960.member_12, _e4960.member_13, _e4960.member_14, _e4960.member_15, _e4960.member_16, _e4960.member_17, _e4960.member_18, _e4960.member_19, _e4960.member_20, _e4960.member_21, _e4960.member_22, _e4960.member_23, _e4960.member_24, _e4960.member_25, _e4960.member_26, _e4960.member_27);
-let _e5016 = type_26(_e4988.member, _e4988.member_1, _e4988.member_2, _e4988.member_3, _e4988.member_4, _e4988.member_5, _e4988.member_6, _e4988.member_7, _e4988.member_8, _e4988.member_9, _e4988.member_10, _e4988.member_11, 0i, _e4988.member_13, _e4988.member_14, _e4988.member_15, _e4988.member_16, _e4988.member_17, _e4988.member_18, _e4988.member_19, _e4988.member_20, _e4988.member_21, _e4988.member_22, _e4988.member_23, _e4988.member_24, _e4988.member_25, _e4988.member_26, _e4988.member_27);
+let _e4932 = phi_10212_;
+let _e4960 = type_27(_e4932.member, _e4932.member_1, _e4932.member_2, _e4932.member_3, _e4932.member_4, _e4932.member_5, _e4932.member_6, _e4932.member_7, _e4932.member_8, _e4932.member_9, _e4932.member_10, _e4932.member_11, _e4932.member_12, 0f, _e4932.member_14, _e4932.member_15, _e4932.member_16, _e4932.member_17, _e4932.member_18, _e4932.member_19, _e4932.member_20, _e4932.member_21, _e4932.member_22, _e4932.member_23, _e4932.member_24, _e4932.member_25, _e4932.member_26, _e4932.member_27);
+let _e4988 = type_27(_e4960.member, _e4960.member_1, _e4960.member_2, _e4960.member_3, _e4960.member_4, _e4960.member_5, _e4960.member_6, _e4960.member_7, _e4960.member_8, _e4960.member_9, _e4960.member_10, 0i, _e4960.member_12, _e4960.member_13, _e4960.member_14, _e4960.member_15, _e4960.member_16, _e4960.member_17, _e4960.member_18, _e4960.member_19, _e4960.member_20, _e4960.member_21, _e4960.member_22, _e4960.member_23, _e4960.member_24, _e4960.member_25, _e4960.member_26, _e4960.member_27);
+let _e5016 = type_27(_e4988.member, _e4988.member_1, _e4988.member_2, _e4988.member_3, _e4988.member_4, _e4988.member_5, _e4988.member_6, _e4988.member_7, _e4988.member_8, _e4988.member_9, _e4988.member_10, _e4988.member_11, 0i, _e4988.member_13, _e4988.member_14, _e4988.member_15, _e4988.member_16, _e4988.member_17, _e4988.member_18, _e4988.member_19, _e4988.member_20, _e4988.member_21, _e4988.member_22, _e4988.member_23, _e4988.member_24, _e4988.member_25, _e4988.member_26, _e4988.member_27);
 let _e5023 = global_5.member.member_14.member.member;
 let _e5037 = ((((_e5023.member.member * _e4932.member.x) + (_e5023.member.member_1 * _e4932.member.y)) + (_e5023.member.member_2 * _e4932.member.z)) + _e5023.member_1);
 let _e5046 = -((((_e5023.member.member * _e4932.member_1.x) + (_e5023.member.member_1 * _e4932.member_1.y)) + (_e5023.member.member_2 * _e4932.member_1.z)));
@@ -2682,36 +2694,36 @@ let _e5079 = (_e5077 > 1e-9f);
 let _e5083 = ((_e5071 / select(1e-9f, _e5077, _e5079)) - 0.015625f);
 let _e5086 = select(1e30f, select(0f, _e5083, (_e5083 > 0f)), ((_e5071 > 0f) && _e5079));
 let _e5090 = (_e5086 < _e5055);
-let _e5121 = type_26(_e5016.member, _e5016.member_1, _e5016.member_2, _e5016.member_3, _e5016.member_4, _e5016.member_5, _e5016.member_6, _e5016.member_7, 0i, _e5016.member_9, _e5016.member_10, _e5016.member_11, _e5016.member_12, _e5016.member_13, _e5016.member_14, _e5016.member_15, _e5016.member_16, _e5016.member_17, _e5016.member_18, _e5016.member_19, _e5016.member_20, _e5016.member_21, _e5016.member_22, _e5016.member_23, _e5016.member_24, _e5016.member_25, _e5016.member_26, _e5016.member_27);
-let _e5149 = type_26(_e5121.member, _e5121.member_1, _e5121.member_2, _e5121.member_3, _e5121.member_4, _e5121.member_5, _e5121.member_6, _e5121.member_7, _e5121.member_8, select(select(-2i, -3i, _e5090), -1i, ((_e5055 >= 1e30f) && (_e5086 >= 1e30f))), _e5121.member_10, _e5121.member_11, _e5121.member_12, _e5121.member_13, _e5121.member_14, _e5121.member_15, _e5121.member_16, _e5121.member_17, _e5121.member_18, _e5121.member_19, _e5121.member_20, _e5121.member_21, _e5121.member_22, _e5121.member_23, _e5121.member_24, _e5121.member_25, _e5121.member_26, _e5121.member_27);
-let _e5177 = type_26(_e5149.member, _e5149.member_1, _e5149.member_2, _e5149.member_3, _e5149.member_4, _e5149.member_5, _e5149.member_6, _e5149.member_7, _e5149.member_8, _e5149.member_9, select(_e5055, _e5086, _e5090), _e5149.member_11, _e5149.member_12, _e5149.member_13, _e5149.member_14, _e5149.member_15, _e5149.member_16, _e5149.member_17, _e5149.member_18, _e5149.member_19, _e5149.member_20, _e5149.member_21, _e5149.member_22, _e5149.member_23, _e5149.member_24, _e5149.member_25, _e5149.member_26, _e5149.member_27);
+let _e5121 = type_27(_e5016.member, _e5016.member_1, _e5016.member_2, _e5016.member_3, _e5016.member_4, _e5016.member_5, _e5016.member_6, _e5016.member_7, 0i, _e5016.member_9, _e5016.member_10, _e5016.member_11, _e5016.member_12, _e5016.member_13, _e5016.member_14, _e5016.member_15, _e5016.member_16, _e5016.member_17, _e5016.member_18, _e5016.member_19, _e5016.member_20, _e5016.member_21, _e5016.member_22, _e5016.member_23, _e5016.member_24, _e5016.member_25, _e5016.member_26, _e5016.member_27);
+let _e5149 = type_27(_e5121.member, _e5121.member_1, _e5121.member_2, _e5121.member_3, _e5121.member_4, _e5121.member_5, _e5121.member_6, _e5121.member_7, _e5121.member_8, select(select(-2i, -3i, _e5090), -1i, ((_e5055 >= 1e30f) && (_e5086 >= 1e30f))), _e5121.member_10, _e5121.member_11, _e5121.member_12, _e5121.member_13, _e5121.member_14, _e5121.member_15, _e5121.member_16, _e5121.member_17, _e5121.member_18, _e5121.member_19, _e5121.member_20, _e5121.member_21, _e5121.member_22, _e5121.member_23, _e5121.member_24, _e5121.member_25, _e5121.member_26, _e5121.member_27);
+let _e5177 = type_27(_e5149.member, _e5149.member_1, _e5149.member_2, _e5149.member_3, _e5149.member_4, _e5149.member_5, _e5149.member_6, _e5149.member_7, _e5149.member_8, _e5149.member_9, select(_e5055, _e5086, _e5090), _e5149.member_11, _e5149.member_12, _e5149.member_13, _e5149.member_14, _e5149.member_15, _e5149.member_16, _e5149.member_17, _e5149.member_18, _e5149.member_19, _e5149.member_20, _e5149.member_21, _e5149.member_22, _e5149.member_23, _e5149.member_24, _e5149.member_25, _e5149.member_26, _e5149.member_27);
 let _e5182 = global_5.member.member_12.member_3;
 if (_e4932.member_16 > bitcast<i32>(_e5182)) {
 if (bitcast<i32>(countOneBits(bitcast<u32>((_e4932.member_17 & ((1i << bitcast<u32>((_e4932.member_16 & 31i))) - 1i))))) == _e4932.member_20) {
-phi_10366_ = (((_e4932.member_6.x + _e4932.member_6.y) + _e4932.member_6.z) * (1f / 3f));
+phi_10367_ = (((_e4932.member_6.x + _e4932.member_6.y) + _e4932.member_6.z) * (1f / 3f));
 } else {
-phi_10366_ = 0f;
+phi_10367_ = 0f;
 }
-let _e5205 = phi_10366_;
-let _e5235 = type_26(_e5177.member, _e5177.member_1, _e5177.member_2, _e5177.member_3, _e5177.member_4, _e5177.member_5, _e5177.member_6, _e5177.member_7, _e5177.member_8, _e5177.member_9, _e5177.member_10, _e5177.member_11, _e5177.member_12, _e5177.member_13, _e5177.member_14, _e5177.member_15, _e5177.member_16, _e5177.member_17, _e5177.member_18, _e5177.member_19, _e5177.member_20, _e5177.member_21, _e5177.member_22, _e5177.member_23, _e5177.member_24, _e5177.member_25, _e5177.member_26, (_e4932.member_27 + _e5205));
+let _e5205 = phi_10367_;
+let _e5235 = type_27(_e5177.member, _e5177.member_1, _e5177.member_2, _e5177.member_3, _e5177.member_4, _e5177.member_5, _e5177.member_6, _e5177.member_7, _e5177.member_8, _e5177.member_9, _e5177.member_10, _e5177.member_11, _e5177.member_12, _e5177.member_13, _e5177.member_14, _e5177.member_15, _e5177.member_16, _e5177.member_17, _e5177.member_18, _e5177.member_19, _e5177.member_20, _e5177.member_21, _e5177.member_22, _e5177.member_23, _e5177.member_24, _e5177.member_25, _e5177.member_26, (_e4932.member_27 + _e5205));
 let _e5237 = (_e4932.member_18 == 0i);
 if (_e5237 && (_e4932.member_21 == 0i)) {
-phi_12410_ = type_26(_e5235.member, _e5235.member_1, _e5235.member_2, _e5235.member_3, _e5235.member_4, _e5235.member_5, _e5235.member_6, _e5235.member_7, _e5235.member_8, _e5235.member_9, _e5235.member_10, _e5235.member_11, _e5235.member_12, _e5235.member_13, _e5235.member_14, 3f, _e5235.member_16, _e5235.member_17, _e5235.member_18, _e5235.member_19, _e5235.member_20, _e5235.member_21, _e5235.member_22, _e5235.member_23, _e5235.member_24, _e5235.member_25, _e5235.member_26, _e5235.member_27);
+phi_12411_ = type_27(_e5235.member, _e5235.member_1, _e5235.member_2, _e5235.member_3, _e5235.member_4, _e5235.member_5, _e5235.member_6, _e5235.member_7, _e5235.member_8, _e5235.member_9, _e5235.member_10, _e5235.member_11, _e5235.member_12, _e5235.member_13, _e5235.member_14, 3f, _e5235.member_16, _e5235.member_17, _e5235.member_18, _e5235.member_19, _e5235.member_20, _e5235.member_21, _e5235.member_22, _e5235.member_23, _e5235.member_24, _e5235.member_25, _e5235.member_26, _e5235.member_27);
 } else {
 if _e5237 {
-let _e5367 = type_26(_e5235.member, _e5235.member_1, _e5235.member_2, _e5235.member_3, _e5235.member_4, _e5235.member_5, _e5235.member_6, _e5235.member_7, _e5235.member_8, _e5235.member_9, _e5235.member_10, _e5235.member_11, _e5235.member_12, _e5235.member_13, _e5235.member_14, _e5235.member_15, _e5235.member_16, _e5235.member_17, _e5235.member_18, _e5235.member_19, (_e4932.member_20 + 1i), _e5235.member_21, _e5235.member_22, _e5235.member_23, _e5235.member_24, _e5235.member_25, _e5235.member_26, _e5235.member_27);
-let _e5395 = type_26(_e5367.member, _e5367.member_1, _e5367.member_2, _e5367.member_3, _e5367.member_4, _e5367.member_5, _e5367.member_6, _e5367.member_7, _e5367.member_8, _e5367.member_9, _e5367.member_10, _e5367.member_11, _e5367.member_12, _e5367.member_13, _e5367.member_14, _e5367.member_15, _e5367.member_16, _e5367.member_17, _e5367.member_18, _e5367.member_19, _e5367.member_20, 0i, _e5367.member_22, _e5367.member_23, _e5367.member_24, _e5367.member_25, _e5367.member_26, _e5367.member_27);
-let _e5423 = type_26(_e5395.member, _e5395.member_1, _e5395.member_2, _e5395.member_3, _e5395.member_4, _e5395.member_5, _e5395.member_6, _e5395.member_7, _e5395.member_8, _e5395.member_9, _e5395.member_10, _e5395.member_11, _e5395.member_12, _e5395.member_13, _e5395.member_14, _e5395.member_15, _e5395.member_16, 0i, _e5395.member_18, _e5395.member_19, _e5395.member_20, _e5395.member_21, _e5395.member_22, _e5395.member_23, _e5395.member_24, _e5395.member_25, _e5395.member_26, _e5395.member_27);
-phi_10410_ = type_26(_e5423.member, _e5423.member_1, _e5423.member_2, _e5423.member_3, _e5423.member_4, _e5423.member_5, _e5423.member_6, _e5423.member_7, _e5423.member_8, _e5423.member_9, _e5423.member_10, _e5423.member_11, _e5423.member_12, _e5423.member_13, _e5423.member_14, _e5423.member_15, _e5423.member_16, _e5423.member_17, _e5423.member_18, 0i, _e5423.member_20, _e5423.member_21, _e5423.member_22, _e5423.member_23, _e5423.member_24, _e5423.member_25, _e5423.member_26, _e5423.member_27);
+let _e5367 = type_27(_e5235.member, _e5235.member_1, _e5235.member_2, _e5235.member_3, _e5235.member_4, _e5235.member_5, _e5235.member_6, _e5235.member_7, _e5235.member_8, _e5235.member_9, _e5235.member_10, _e5235.member_11, _e5235.member_12, _e5235.member_13, _e5235.member_14, _e5235.member_15, _e5235.member_16, _e5235.member_17, _e5235.member_18, _e5235.member_19, (_e4932.member_20 + 1i), _e5235.member_21, _e5235.member_22, _e5235.member_23, _e5235.member_24, _e5235.member_25, _e5235.member_26, _e5235.member_27);
+let _e5395 = type_27(_e5367.member, _e5367.member_1, _e5367.member_2, _e5367.member_3, _e5367.member_4, _e5367.member_5, _e5367.member_6, _e5367.member_7, _e5367.member_8, _e5367.member_9, _e5367.member_10, _e5367.member_11, _e5367.member_12, _e5367.member_13, _e5367.member_14, _e5367.member_15, _e5367.member_16, _e5367.member_17, _e5367.member_18, _e5367.member_19, _e5367.member_20, 0i, _e5367.member_22, _e5367.member_23, _e5367.member_24, _e5367.member_25, _e5367.member_26, _e5367.member_27);
+let _e5423 = type_27(_e5395.member, _e5395.member_1, _e5395.member_2, _e5395.member_3, _e5395.member_4, _e5395.member_5, _e5395.member_6, _e5395.member_7, _e5395.member_8, _e5395.member_9, _e5395.member_10, _e5395.member_11, _e5395.member_12, _e5395.member_13, _e5395.member_14, _e5395.member_15, _e5395.member_16, 0i, _e5395.member_18, _e5395.member_19, _e5395.member_20, _e5395.member_21, _e5395.member_22, _e5395.member_23, _e5395.member_24, _e5395.member_25, _e5395.member_26, _e5395.member_27);
+phi_10411_ = type_27(_e5423.member, _e5423.member_1, _e5423.member_2, _e5423.member_3, _e5423.member_4, _e5423.member_5, _e5423.member_6, _e5423.member_7, _e5423.member_8, _e5423.member_9, _e5423.member_10, _e5423.member_11, _e5423.member_12, _e5423.member_13, _e5423.member_14, _e5423.member_15, _e5423.member_16, _e5423.member_17, _e5423.member_18, 0i, _e5423.member_20, _e5423.member_21, _e5423.member_22, _e5423.member_23, _e5423.member_24, _e5423.member_25, _e5423.member_26, _e5423.member_27);
 } else {
 let _e5245 = bitcast<i32>((bitcast<u32>(f32(_e4932.member_18)) >> bitcast<u32>(23i)));
 let _e5249 = (1i << bitcast<u32>(((_e5245 - 127i) & 31i)));
 let _e5250 = (_e5249 - 1i);
-let _e5280 = type_26(_e5235.member, _e5235.member_1, _e5235.member_2, _e5235.member_3, _e5235.member_4, _e5235.member_5, _e5235.member_6, _e5235.member_7, _e5235.member_8, _e5235.member_9, _e5235.member_10, _e5235.member_11, _e5235.member_12, _e5235.member_13, _e5235.member_14, _e5235.member_15, _e5235.member_16, ((_e4932.member_17 & _e5250) | _e5249), _e5235.member_18, _e5235.member_19, _e5235.member_20, _e5235.member_21, _e5235.member_22, _e5235.member_23, _e5235.member_24, _e5235.member_25, _e5235.member_26, _e5235.member_27);
-let _e5309 = type_26(_e5280.member, _e5280.member_1, _e5280.member_2, _e5280.member_3, _e5280.member_4, _e5280.member_5, _e5280.member_6, _e5280.member_7, _e5280.member_8, _e5280.member_9, _e5280.member_10, _e5280.member_11, _e5280.member_12, _e5280.member_13, _e5280.member_14, _e5280.member_15, _e5280.member_16, _e5280.member_17, (_e4932.member_18 & _e5250), _e5280.member_19, _e5280.member_20, _e5280.member_21, _e5280.member_22, _e5280.member_23, _e5280.member_24, _e5280.member_25, _e5280.member_26, _e5280.member_27);
-phi_10410_ = type_26(_e5309.member, _e5309.member_1, _e5309.member_2, _e5309.member_3, _e5309.member_4, _e5309.member_5, _e5309.member_6, _e5309.member_7, _e5309.member_8, _e5309.member_9, _e5309.member_10, _e5309.member_11, _e5309.member_12, _e5309.member_13, _e5309.member_14, _e5309.member_15, _e5309.member_16, _e5309.member_17, _e5309.member_18, (_e5245 + -126i), _e5309.member_20, _e5309.member_21, _e5309.member_22, _e5309.member_23, _e5309.member_24, _e5309.member_25, _e5309.member_26, _e5309.member_27);
+let _e5280 = type_27(_e5235.member, _e5235.member_1, _e5235.member_2, _e5235.member_3, _e5235.member_4, _e5235.member_5, _e5235.member_6, _e5235.member_7, _e5235.member_8, _e5235.member_9, _e5235.member_10, _e5235.member_11, _e5235.member_12, _e5235.member_13, _e5235.member_14, _e5235.member_15, _e5235.member_16, ((_e4932.member_17 & _e5250) | _e5249), _e5235.member_18, _e5235.member_19, _e5235.member_20, _e5235.member_21, _e5235.member_22, _e5235.member_23, _e5235.member_24, _e5235.member_25, _e5235.member_26, _e5235.member_27);
+let _e5309 = type_27(_e5280.member, _e5280.member_1, _e5280.member_2, _e5280.member_3, _e5280.member_4, _e5280.member_5, _e5280.member_6, _e5280.member_7, _e5280.member_8, _e5280.member_9, _e5280.member_10, _e5280.member_11, _e5280.member_12, _e5280.member_13, _e5280.member_14, _e5280.member_15, _e5280.member_16, _e5280.member_17, (_e4932.member_18 & _e5250), _e5280.member_19, _e5280.member_20, _e5280.member_21, _e5280.member_22, _e5280.member_23, _e5280.member_24, _e5280.member_25, _e5280.member_26, _e5280.member_27);
+phi_10411_ = type_27(_e5309.member, _e5309.member_1, _e5309.member_2, _e5309.member_3, _e5309.member_4, _e5309.member_5, _e5309.member_6, _e5309.member_7, _e5309.member_8, _e5309.member_9, _e5309.member_10, _e5309.member_11, _e5309.member_12, _e5309.member_13, _e5309.member_14, _e5309.member_15, _e5309.member_16, _e5309.member_17, _e5309.member_18, (_e5245 + -126i), _e5309.member_20, _e5309.member_21, _e5309.member_22, _e5309.member_23, _e5309.member_24, _e5309.member_25, _e5309.member_26, _e5309.member_27);
 }
-let _e5453 = phi_10410_;
+let _e5453 = phi_10411_;
 let _e5459 = global_5.member.member_1.member;
 let _e5461 = f32(bitcast<i32>(_e5459));
 let _e5465 = global_5.member.member_1.member_1;
@@ -2797,18 +2809,18 @@ let _e5727 = (_e5550 * _e5724);
 let _e5728 = (_e5535 + _e5725);
 let _e5729 = (_e5536 + _e5726);
 let _e5730 = (_e5537 + _e5727);
-let _e5760 = type_26((vec3<f32>(_e5535, _e5536, _e5537) + vec3<f32>(_e5725, _e5726, _e5727)), _e5453.member_1, _e5453.member_2, _e5453.member_3, _e5453.member_4, _e5453.member_5, _e5453.member_6, _e5453.member_7, _e5453.member_8, _e5453.member_9, _e5453.member_10, _e5453.member_11, _e5453.member_12, _e5453.member_13, _e5453.member_14, _e5453.member_15, _e5453.member_16, _e5453.member_17, _e5453.member_18, _e5453.member_19, _e5453.member_20, _e5453.member_21, _e5453.member_22, _e5453.member_23, _e5453.member_24, _e5453.member_25, _e5453.member_26, _e5453.member_27);
-let _e5788 = type_26(_e5760.member, vec3<f32>(_e5548, _e5549, _e5550), _e5760.member_2, _e5760.member_3, _e5760.member_4, _e5760.member_5, _e5760.member_6, _e5760.member_7, _e5760.member_8, _e5760.member_9, _e5760.member_10, _e5760.member_11, _e5760.member_12, _e5760.member_13, _e5760.member_14, _e5760.member_15, _e5760.member_16, _e5760.member_17, _e5760.member_18, _e5760.member_19, _e5760.member_20, _e5760.member_21, _e5760.member_22, _e5760.member_23, _e5760.member_24, _e5760.member_25, _e5760.member_26, _e5760.member_27);
-let _e5826 = type_26(_e5788.member, _e5788.member_1, (vec3<f32>(select(0f, _e5554, _e5513), select(0f, _e5555, _e5513), select(0f, _e5556, _e5513)) + vec3<f32>((_e5584 * _e5724), (_e5585 * _e5724), (_e5586 * _e5724))), _e5788.member_3, _e5788.member_4, _e5788.member_5, _e5788.member_6, _e5788.member_7, _e5788.member_8, _e5788.member_9, _e5788.member_10, _e5788.member_11, _e5788.member_12, _e5788.member_13, _e5788.member_14, _e5788.member_15, _e5788.member_16, _e5788.member_17, _e5788.member_18, _e5788.member_19, _e5788.member_20, _e5788.member_21, _e5788.member_22, _e5788.member_23, _e5788.member_24, _e5788.member_25, _e5788.member_26, _e5788.member_27);
-let _e5854 = type_26(_e5826.member, _e5826.member_1, _e5826.member_2, (vec3<f32>(select(0f, _e5559, _e5513), select(0f, _e5560, _e5513), select(0f, _e5561, _e5513)) + vec3<f32>((_e5602 * _e5724), (_e5603 * _e5724), (_e5604 * _e5724))), _e5826.member_4, _e5826.member_5, _e5826.member_6, _e5826.member_7, _e5826.member_8, _e5826.member_9, _e5826.member_10, _e5826.member_11, _e5826.member_12, _e5826.member_13, _e5826.member_14, _e5826.member_15, _e5826.member_16, _e5826.member_17, _e5826.member_18, _e5826.member_19, _e5826.member_20, _e5826.member_21, _e5826.member_22, _e5826.member_23, _e5826.member_24, _e5826.member_25, _e5826.member_26, _e5826.member_27);
-let _e5882 = type_26(_e5854.member, _e5854.member_1, _e5854.member_2, _e5854.member_3, vec3<f32>(_e5584, _e5585, _e5586), _e5854.member_5, _e5854.member_6, _e5854.member_7, _e5854.member_8, _e5854.member_9, _e5854.member_10, _e5854.member_11, _e5854.member_12, _e5854.member_13, _e5854.member_14, _e5854.member_15, _e5854.member_16, _e5854.member_17, _e5854.member_18, _e5854.member_19, _e5854.member_20, _e5854.member_21, _e5854.member_22, _e5854.member_23, _e5854.member_24, _e5854.member_25, _e5854.member_26, _e5854.member_27);
-let _e5910 = type_26(_e5882.member, _e5882.member_1, _e5882.member_2, _e5882.member_3, _e5882.member_4, vec3<f32>(_e5602, _e5603, _e5604), _e5882.member_6, _e5882.member_7, _e5882.member_8, _e5882.member_9, _e5882.member_10, _e5882.member_11, _e5882.member_12, _e5882.member_13, _e5882.member_14, _e5882.member_15, _e5882.member_16, _e5882.member_17, _e5882.member_18, _e5882.member_19, _e5882.member_20, _e5882.member_21, _e5882.member_22, _e5882.member_23, _e5882.member_24, _e5882.member_25, _e5882.member_26, _e5882.member_27);
-let _e5938 = type_26(_e5910.member, _e5910.member_1, _e5910.member_2, _e5910.member_3, _e5910.member_4, _e5910.member_5, _e5910.member_6, 0i, _e5910.member_8, _e5910.member_9, _e5910.member_10, _e5910.member_11, _e5910.member_12, _e5910.member_13, _e5910.member_14, _e5910.member_15, _e5910.member_16, _e5910.member_17, _e5910.member_18, _e5910.member_19, _e5910.member_20, _e5910.member_21, _e5910.member_22, _e5910.member_23, _e5910.member_24, _e5910.member_25, _e5910.member_26, _e5910.member_27);
-let _e5966 = type_26(_e5938.member, _e5938.member_1, _e5938.member_2, _e5938.member_3, _e5938.member_4, _e5938.member_5, _e5938.member_6, _e5938.member_7, _e5938.member_8, _e5938.member_9, _e5938.member_10, _e5938.member_11, _e5938.member_12, _e5938.member_13, _e5938.member_14, _e5938.member_15, 0i, _e5938.member_17, _e5938.member_18, _e5938.member_19, _e5938.member_20, _e5938.member_21, _e5938.member_22, _e5938.member_23, _e5938.member_24, _e5938.member_25, _e5938.member_26, _e5938.member_27);
-let _e5994 = type_26(_e5966.member, _e5966.member_1, _e5966.member_2, _e5966.member_3, _e5966.member_4, _e5966.member_5, _e5966.member_6, _e5966.member_7, _e5966.member_8, _e5966.member_9, _e5966.member_10, _e5966.member_11, _e5966.member_12, _e5966.member_13, _e5966.member_14, 1f, _e5966.member_16, _e5966.member_17, _e5966.member_18, _e5966.member_19, _e5966.member_20, _e5966.member_21, _e5966.member_22, _e5966.member_23, _e5966.member_24, _e5966.member_25, _e5966.member_26, _e5966.member_27);
-let _e6022 = type_26(_e5994.member, _e5994.member_1, _e5994.member_2, _e5994.member_3, _e5994.member_4, _e5994.member_5, _e5994.member_6, _e5994.member_7, _e5994.member_8, _e5994.member_9, _e5994.member_10, _e5994.member_11, _e5994.member_12, 0f, _e5994.member_14, _e5994.member_15, _e5994.member_16, _e5994.member_17, _e5994.member_18, _e5994.member_19, _e5994.member_20, _e5994.member_21, _e5994.member_22, _e5994.member_23, _e5994.member_24, _e5994.member_25, _e5994.member_26, _e5994.member_27);
-let _e6050 = type_26(_e6022.member, _e6022.member_1, _e6022.member_2, _e6022.member_3, _e6022.member_4, _e6022.member_5, _e6022.member_6, _e6022.member_7, _e6022.member_8, _e6022.member_9, _e6022.member_10, 0i, _e6022.member_12, _e6022.member_13, _e6022.member_14, _e6022.member_15, _e6022.member_16, _e6022.member_17, _e6022.member_18, _e6022.member_19, _e6022.member_20, _e6022.member_21, _e6022.member_22, _e6022.member_23, _e6022.member_24, _e6022.member_25, _e6022.member_26, _e6022.member_27);
-let _e6078 = type_26(_e6050.member, _e6050.member_1, _e6050.member_2, _e6050.member_3, _e6050.member_4, _e6050.member_5, _e6050.member_6, _e6050.member_7, _e6050.member_8, _e6050.member_9, _e6050.member_10, _e6050.member_11, 0i, _e6050.member_13, _e6050.member_14, _e6050.member_15, _e6050.member_16, _e6050.member_17, _e6050.member_18, _e6050.member_19, _e6050.member_20, _e6050.member_21, _e6050.member_22, _e6050.member_23, _e6050.member_24, _e6050.member_25, _e6050.member_26, _e6050.member_27);
+let _e5760 = type_27((vec3<f32>(_e5535, _e5536, _e5537) + vec3<f32>(_e5725, _e5726, _e5727)), _e5453.member_1, _e5453.member_2, _e5453.member_3, _e5453.member_4, _e5453.member_5, _e5453.member_6, _e5453.member_7, _e5453.member_8, _e5453.member_9, _e5453.member_10, _e5453.member_11, _e5453.member_12, _e5453.member_13, _e5453.member_14, _e5453.member_15, _e5453.member_16, _e5453.member_17, _e5453.member_18, _e5453.member_19, _e5453.member_20, _e5453.member_21, _e5453.member_22, _e5453.member_23, _e5453.member_24, _e5453.member_25, _e5453.member_26, _e5453.member_27);
+let _e5788 = type_27(_e5760.member, vec3<f32>(_e5548, _e5549, _e5550), _e5760.member_2, _e5760.member_3, _e5760.member_4, _e5760.member_5, _e5760.member_6, _e5760.member_7, _e5760.member_8, _e5760.member_9, _e5760.member_10, _e5760.member_11, _e5760.member_12, _e5760.member_13, _e5760.member_14, _e5760.member_15, _e5760.member_16, _e5760.member_17, _e5760.member_18, _e5760.member_19, _e5760.member_20, _e5760.member_21, _e5760.member_22, _e5760.member_23, _e5760.member_24, _e5760.member_25, _e5760.member_26, _e5760.member_27);
+let _e5826 = type_27(_e5788.member, _e5788.member_1, (vec3<f32>(select(0f, _e5554, _e5513), select(0f, _e5555, _e5513), select(0f, _e5556, _e5513)) + vec3<f32>((_e5584 * _e5724), (_e5585 * _e5724), (_e5586 * _e5724))), _e5788.member_3, _e5788.member_4, _e5788.member_5, _e5788.member_6, _e5788.member_7, _e5788.member_8, _e5788.member_9, _e5788.member_10, _e5788.member_11, _e5788.member_12, _e5788.member_13, _e5788.member_14, _e5788.member_15, _e5788.member_16, _e5788.member_17, _e5788.member_18, _e5788.member_19, _e5788.member_20, _e5788.member_21, _e5788.member_22, _e5788.member_23, _e5788.member_24, _e5788.member_25, _e5788.member_26, _e5788.member_27);
+let _e5854 = type_27(_e5826.member, _e5826.member_1, _e5826.member_2, (vec3<f32>(select(0f, _e5559, _e5513), select(0f, _e5560, _e5513), select(0f, _e5561, _e5513)) + vec3<f32>((_e5602 * _e5724), (_e5603 * _e5724), (_e5604 * _e5724))), _e5826.member_4, _e5826.member_5, _e5826.member_6, _e5826.member_7, _e5826.member_8, _e5826.member_9, _e5826.member_10, _e5826.member_11, _e5826.member_12, _e5826.member_13, _e5826.member_14, _e5826.member_15, _e5826.member_16, _e5826.member_17, _e5826.member_18, _e5826.member_19, _e5826.member_20, _e5826.member_21, _e5826.member_22, _e5826.member_23, _e5826.member_24, _e5826.member_25, _e5826.member_26, _e5826.member_27);
+let _e5882 = type_27(_e5854.member, _e5854.member_1, _e5854.member_2, _e5854.member_3, vec3<f32>(_e5584, _e5585, _e5586), _e5854.member_5, _e5854.member_6, _e5854.member_7, _e5854.member_8, _e5854.member_9, _e5854.member_10, _e5854.member_11, _e5854.member_12, _e5854.member_13, _e5854.member_14, _e5854.member_15, _e5854.member_16, _e5854.member_17, _e5854.member_18, _e5854.member_19, _e5854.member_20, _e5854.member_21, _e5854.member_22, _e5854.member_23, _e5854.member_24, _e5854.member_25, _e5854.member_26, _e5854.member_27);
+let _e5910 = type_27(_e5882.member, _e5882.member_1, _e5882.member_2, _e5882.member_3, _e5882.member_4, vec3<f32>(_e5602, _e5603, _e5604), _e5882.member_6, _e5882.member_7, _e5882.member_8, _e5882.member_9, _e5882.member_10, _e5882.member_11, _e5882.member_12, _e5882.member_13, _e5882.member_14, _e5882.member_15, _e5882.member_16, _e5882.member_17, _e5882.member_18, _e5882.member_19, _e5882.member_20, _e5882.member_21, _e5882.member_22, _e5882.member_23, _e5882.member_24, _e5882.member_25, _e5882.member_26, _e5882.member_27);
+let _e5938 = type_27(_e5910.member, _e5910.member_1, _e5910.member_2, _e5910.member_3, _e5910.member_4, _e5910.member_5, _e5910.member_6, 0i, _e5910.member_8, _e5910.member_9, _e5910.member_10, _e5910.member_11, _e5910.member_12, _e5910.member_13, _e5910.member_14, _e5910.member_15, _e5910.member_16, _e5910.member_17, _e5910.member_18, _e5910.member_19, _e5910.member_20, _e5910.member_21, _e5910.member_22, _e5910.member_23, _e5910.member_24, _e5910.member_25, _e5910.member_26, _e5910.member_27);
+let _e5966 = type_27(_e5938.member, _e5938.member_1, _e5938.member_2, _e5938.member_3, _e5938.member_4, _e5938.member_5, _e5938.member_6, _e5938.member_7, _e5938.member_8, _e5938.member_9, _e5938.member_10, _e5938.member_11, _e5938.member_12, _e5938.member_13, _e5938.member_14, _e5938.member_15, 0i, _e5938.member_17, _e5938.member_18, _e5938.member_19, _e5938.member_20, _e5938.member_21, _e5938.member_22, _e5938.member_23, _e5938.member_24, _e5938.member_25, _e5938.member_26, _e5938.member_27);
+let _e5994 = type_27(_e5966.member, _e5966.member_1, _e5966.member_2, _e5966.member_3, _e5966.member_4, _e5966.member_5, _e5966.member_6, _e5966.member_7, _e5966.member_8, _e5966.member_9, _e5966.member_10, _e5966.member_11, _e5966.member_12, _e5966.member_13, _e5966.member_14, 1f, _e5966.member_16, _e5966.member_17, _e5966.member_18, _e5966.member_19, _e5966.member_20, _e5966.member_21, _e5966.member_22, _e5966.member_23, _e5966.member_24, _e5966.member_25, _e5966.member_26, _e5966.member_27);
+let _e6022 = type_27(_e5994.member, _e5994.member_1, _e5994.member_2, _e5994.member_3, _e5994.member_4, _e5994.member_5, _e5994.member_6, _e5994.member_7, _e5994.member_8, _e5994.member_9, _e5994.member_10, _e5994.member_11, _e5994.member_12, 0f, _e5994.member_14, _e5994.member_15, _e5994.member_16, _e5994.member_17, _e5994.member_18, _e5994.member_19, _e5994.member_20, _e5994.member_21, _e5994.member_22, _e5994.member_23, _e5994.member_24, _e5994.member_25, _e5994.member_26, _e5994.member_27);
+let _e6050 = type_27(_e6022.member, _e6022.member_1, _e6022.member_2, _e6022.member_3, _e6022.member_4, _e6022.member_5, _e6022.member_6, _e6022.member_7, _e6022.member_8, _e6022.member_9, _e6022.member_10, 0i, _e6022.member_12, _e6022.member_13, _e6022.member_14, _e6022.member_15, _e6022.member_16, _e6022.member_17, _e6022.member_18, _e6022.member_19, _e6022.member_20, _e6022.member_21, _e6022.member_22, _e6022.member_23, _e6022.member_24, _e6022.member_25, _e6022.member_26, _e6022.member_27);
+let _e6078 = type_27(_e6050.member, _e6050.member_1, _e6050.member_2, _e6050.member_3, _e6050.member_4, _e6050.member_5, _e6050.member_6, _e6050.member_7, _e6050.member_8, _e6050.member_9, _e6050.member_10, _e6050.member_11, 0i, _e6050.member_13, _e6050.member_14, _e6050.member_15, _e6050.member_16, _e6050.member_17, _e6050.member_18, _e6050.member_19, _e6050.member_20, _e6050.member_21, _e6050.member_22, _e6050.member_23, _e6050.member_24, _e6050.member_25, _e6050.member_26, _e6050.member_27);
 let _e6084 = ((((_e5023.member.member * _e5728) + (_e5023.member.member_1 * _e5729)) + (_e5023.member.member_2 * _e5730)) + _e5023.member_1);
 let _e6088 = ((_e6084 / _e5691) - 0.015625f);
 let _e6091 = select(1e30f, select(0f, _e6088, (_e6088 > 0f)), ((_e6084 > 0f) && _e5689));
@@ -2816,9 +2828,9 @@ let _e6097 = ((((_e5060.member.member * _e5728) + (_e5060.member.member_1 * _e57
 let _e6101 = ((_e6097 / _e5712) - 0.015625f);
 let _e6104 = select(1e30f, select(0f, _e6101, (_e6101 > 0f)), ((_e6097 > 0f) && _e5710));
 let _e6108 = (_e6104 < _e6091);
-let _e6139 = type_26(_e6078.member, _e6078.member_1, _e6078.member_2, _e6078.member_3, _e6078.member_4, _e6078.member_5, _e6078.member_6, _e6078.member_7, 0i, _e6078.member_9, _e6078.member_10, _e6078.member_11, _e6078.member_12, _e6078.member_13, _e6078.member_14, _e6078.member_15, _e6078.member_16, _e6078.member_17, _e6078.member_18, _e6078.member_19, _e6078.member_20, _e6078.member_21, _e6078.member_22, _e6078.member_23, _e6078.member_24, _e6078.member_25, _e6078.member_26, _e6078.member_27);
-let _e6167 = type_26(_e6139.member, _e6139.member_1, _e6139.member_2, _e6139.member_3, _e6139.member_4, _e6139.member_5, _e6139.member_6, _e6139.member_7, _e6139.member_8, select(select(-2i, -3i, _e6108), -1i, ((_e6091 >= 1e30f) && (_e6104 >= 1e30f))), _e6139.member_10, _e6139.member_11, _e6139.member_12, _e6139.member_13, _e6139.member_14, _e6139.member_15, _e6139.member_16, _e6139.member_17, _e6139.member_18, _e6139.member_19, _e6139.member_20, _e6139.member_21, _e6139.member_22, _e6139.member_23, _e6139.member_24, _e6139.member_25, _e6139.member_26, _e6139.member_27);
-let _e6195 = type_26(_e6167.member, _e6167.member_1, _e6167.member_2, _e6167.member_3, _e6167.member_4, _e6167.member_5, _e6167.member_6, _e6167.member_7, _e6167.member_8, _e6167.member_9, select(_e6091, _e6104, _e6108), _e6167.member_11, _e6167.member_12, _e6167.member_13, _e6167.member_14, _e6167.member_15, _e6167.member_16, _e6167.member_17, _e6167.member_18, _e6167.member_19, _e6167.member_20, _e6167.member_21, _e6167.member_22, _e6167.member_23, _e6167.member_24, _e6167.member_25, _e6167.member_26, _e6167.member_27);
+let _e6139 = type_27(_e6078.member, _e6078.member_1, _e6078.member_2, _e6078.member_3, _e6078.member_4, _e6078.member_5, _e6078.member_6, _e6078.member_7, 0i, _e6078.member_9, _e6078.member_10, _e6078.member_11, _e6078.member_12, _e6078.member_13, _e6078.member_14, _e6078.member_15, _e6078.member_16, _e6078.member_17, _e6078.member_18, _e6078.member_19, _e6078.member_20, _e6078.member_21, _e6078.member_22, _e6078.member_23, _e6078.member_24, _e6078.member_25, _e6078.member_26, _e6078.member_27);
+let _e6167 = type_27(_e6139.member, _e6139.member_1, _e6139.member_2, _e6139.member_3, _e6139.member_4, _e6139.member_5, _e6139.member_6, _e6139.member_7, _e6139.member_8, select(select(-2i, -3i, _e6108), -1i, ((_e6091 >= 1e30f) && (_e6104 >= 1e30f))), _e6139.member_10, _e6139.member_11, _e6139.member_12, _e6139.member_13, _e6139.member_14, _e6139.member_15, _e6139.member_16, _e6139.member_17, _e6139.member_18, _e6139.member_19, _e6139.member_20, _e6139.member_21, _e6139.member_22, _e6139.member_23, _e6139.member_24, _e6139.member_25, _e6139.member_26, _e6139.member_27);
+let _e6195 = type_27(_e6167.member, _e6167.member_1, _e6167.member_2, _e6167.member_3, _e6167.member_4, _e6167.member_5, _e6167.member_6, _e6167.member_7, _e6167.member_8, _e6167.member_9, select(_e6091, _e6104, _e6108), _e6167.member_11, _e6167.member_12, _e6167.member_13, _e6167.member_14, _e6167.member_15, _e6167.member_16, _e6167.member_17, _e6167.member_18, _e6167.member_19, _e6167.member_20, _e6167.member_21, _e6167.member_22, _e6167.member_23, _e6167.member_24, _e6167.member_25, _e6167.member_26, _e6167.member_27);
 let _e6199 = global_5.member.member_13.member_4;
 let _e6206 = global_5.member.member_13.member_5;
 let _e6211 = ((_e6199.member - _e5535) * _e5613);
@@ -2844,14 +2856,14 @@ let _e6247 = select(0f, _e6243, _e6246);
 let _e6249 = (select(0f, _e6245, _e6246) - _e6247);
 let _e6253 = global_5.member.member_13.member_6;
 if (_e6253 == 0u) {
-phi_12154_ = _e6249;
+phi_12155_ = _e6249;
 } else {
 let _e6256 = (_e6249 / f32(_e6253));
-phi_11429_ = 0u;
-phi_11432_ = 0f;
+phi_11430_ = 0u;
+phi_11433_ = 0f;
 loop {
-let _e6258 = phi_11429_;
-let _e6260 = phi_11432_;
+let _e6258 = phi_11430_;
+let _e6260 = phi_11433_;
 local_70 = _e6260;
 let _e6263 = ((_e6258 < _e6253) && (_e6249 > 0f));
 if _e6263 {
@@ -2903,29 +2915,29 @@ local_2 = (_e6304 - f32(_e6341));
 let _e6378 = (_e6341 + 1i);
 let _e6380 = select(_e6378, 0i, (_e6378 < 0i));
 if (_e6380 >= _e6283) {
-phi_11573_ = (_e6283 - 1i);
+phi_11574_ = (_e6283 - 1i);
 } else {
-phi_11573_ = _e6380;
+phi_11574_ = _e6380;
 }
-let _e6384 = phi_11573_;
+let _e6384 = phi_11574_;
 local_3 = (_e6384 - _e6341);
 let _e6386 = (_e6356 + 1i);
 let _e6388 = select(_e6386, 0i, (_e6386 < 0i));
 if (_e6388 >= _e6288) {
-phi_11586_ = (_e6288 - 1i);
+phi_11587_ = (_e6288 - 1i);
 } else {
-phi_11586_ = _e6388;
+phi_11587_ = _e6388;
 }
-let _e6392 = phi_11586_;
+let _e6392 = phi_11587_;
 let _e6394 = ((_e6392 - _e6356) * _e6283);
 let _e6395 = (_e6371 + 1i);
 let _e6397 = select(_e6395, 0i, (_e6395 < 0i));
 if (_e6397 >= _e6293) {
-phi_11600_ = (_e6293 - 1i);
+phi_11601_ = (_e6293 - 1i);
 } else {
-phi_11600_ = _e6397;
+phi_11601_ = _e6397;
 }
-let _e6401 = phi_11600_;
+let _e6401 = phi_11601_;
 let _e6408 = global_5.member.member_13.member_10;
 let _e6409 = bitcast<i32>(_e6408);
 let _e6414 = ((_e6409 + (((_e6371 * _e6288) + _e6356) * _e6283)) + _e6341);
@@ -2993,29 +3005,29 @@ local = (_e6531 - f32(_e6562));
 let _e6599 = (_e6562 + 1i);
 let _e6601 = select(_e6599, 0i, (_e6599 < 0i));
 if (_e6601 >= _e6283) {
-phi_11922_ = (_e6283 - 1i);
+phi_11923_ = (_e6283 - 1i);
 } else {
-phi_11922_ = _e6601;
+phi_11923_ = _e6601;
 }
-let _e6605 = phi_11922_;
+let _e6605 = phi_11923_;
 local_1 = (_e6605 - _e6562);
 let _e6607 = (_e6577 + 1i);
 let _e6609 = select(_e6607, 0i, (_e6607 < 0i));
 if (_e6609 >= _e6288) {
-phi_11935_ = (_e6288 - 1i);
+phi_11936_ = (_e6288 - 1i);
 } else {
-phi_11935_ = _e6609;
+phi_11936_ = _e6609;
 }
-let _e6613 = phi_11935_;
+let _e6613 = phi_11936_;
 let _e6615 = ((_e6613 - _e6577) * _e6283);
 let _e6616 = (_e6592 + 1i);
 let _e6618 = select(_e6616, 0i, (_e6616 < 0i));
 if (_e6618 >= _e6293) {
-phi_11949_ = (_e6293 - 1i);
+phi_11950_ = (_e6293 - 1i);
 } else {
-phi_11949_ = _e6618;
+phi_11950_ = _e6618;
 }
-let _e6622 = phi_11949_;
+let _e6622 = phi_11950_;
 let _e6630 = ((_e6409 + (((_e6592 * _e6288) + _e6577) * _e6283)) + _e6562);
 let _e6632 = select(_e2009, _e6630, (_e6630 < _e2009));
 let _e6637 = global_3.member[bitcast<u32>(select(0i, _e6632, (_e6632 > 0i)))];
@@ -3053,25 +3065,25 @@ let _e6716 = (_e6704 + _e6715);
 let _e6718 = select(_e2009, _e6716, (_e6716 < _e2009));
 let _e6723 = global_3.member[bitcast<u32>(select(0i, _e6718, (_e6718 > 0i)))];
 let _e6724 = local;
-phi_11430_ = (_e6258 + 1u);
-phi_11433_ = (_e6260 + ((0.5f * (((((((_e6421 * (1f - _e6422)) + (_e6433 * _e6434)) * _e6437) + (((_e6446 * (1f - _e6447)) + (_e6458 * _e6459)) * _e6375)) * (1f - _e6377)) + (((((_e6471 * (1f - _e6472)) + (_e6483 * _e6484)) * _e6437) + (((_e6495 * (1f - _e6496)) + (_e6507 * _e6508)) * _e6375)) * _e6377)) + ((((((_e6637 * (1f - _e6638)) + (_e6649 * _e6650)) * _e6653) + (((_e6662 * (1f - _e6663)) + (_e6674 * _e6675)) * _e6596)) * (1f - _e6598)) + (((((_e6687 * (1f - _e6688)) + (_e6699 * _e6700)) * _e6653) + (((_e6711 * (1f - _e6712)) + (_e6723 * _e6724)) * _e6596)) * _e6598)))) * _e6270));
+phi_11431_ = (_e6258 + 1u);
+phi_11434_ = (_e6260 + ((0.5f * (((((((_e6421 * (1f - _e6422)) + (_e6433 * _e6434)) * _e6437) + (((_e6446 * (1f - _e6447)) + (_e6458 * _e6459)) * _e6375)) * (1f - _e6377)) + (((((_e6471 * (1f - _e6472)) + (_e6483 * _e6484)) * _e6437) + (((_e6495 * (1f - _e6496)) + (_e6507 * _e6508)) * _e6375)) * _e6377)) + ((((((_e6637 * (1f - _e6638)) + (_e6649 * _e6650)) * _e6653) + (((_e6662 * (1f - _e6663)) + (_e6674 * _e6675)) * _e6596)) * (1f - _e6598)) + (((((_e6687 * (1f - _e6688)) + (_e6699 * _e6700)) * _e6653) + (((_e6711 * (1f - _e6712)) + (_e6723 * _e6724)) * _e6596)) * _e6598)))) * _e6270));
 } else {
-phi_11430_ = u32();
-phi_11433_ = f32();
+phi_11431_ = u32();
+phi_11434_ = f32();
 }
-let _e6739 = phi_11430_;
-let _e6741 = phi_11433_;
+let _e6739 = phi_11431_;
+let _e6741 = phi_11434_;
 continue;
 continuing {
-phi_11429_ = _e6739;
-phi_11432_ = _e6741;
+phi_11430_ = _e6739;
+phi_11433_ = _e6741;
 break if !(_e6263);
 }
 }
 let _e10473 = local_70;
-phi_12154_ = _e10473;
+phi_12155_ = _e10473;
 }
-let _e6744 = phi_12154_;
+let _e6744 = phi_12155_;
 let _e6748 = global_5.member.member_13.member;
 let _e6753 = -((_e6748.member * _e6744));
 let _e6755 = select(-87f, _e6753, (_e6753 > -87f));
@@ -3107,70 +3119,70 @@ let _e6898 = (1f / 3f);
 let _e6900 = (1f * ((1f + (_e6779 * (1f + (_e6779 * (0.5f + (_e6779 * (0.16666667f + (_e6779 * (0.041666668f + (_e6779 * (0.008333334f + (_e6779 * (0.001388889f + (_e6779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6774 + 127i)) << bitcast<u32>(23i)))));
 let _e6901 = (1f * ((1f + (_e6827 * (1f + (_e6827 * (0.5f + (_e6827 * (0.16666667f + (_e6827 * (0.041666668f + (_e6827 * (0.008333334f + (_e6827 * (0.001388889f + (_e6827 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6822 + 127i)) << bitcast<u32>(23i)))));
 let _e6902 = (1f * ((1f + (_e6875 * (1f + (_e6875 * (0.5f + (_e6875 * (0.16666667f + (_e6875 * (0.041666668f + (_e6875 * (0.008333334f + (_e6875 * (0.001388889f + (_e6875 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e6870 + 127i)) << bitcast<u32>(23i)))));
-let _e6931 = type_26(_e6195.member, _e6195.member_1, _e6195.member_2, _e6195.member_3, _e6195.member_4, _e6195.member_5, vec3<f32>(_e6900, _e6901, _e6902), _e6195.member_7, _e6195.member_8, _e6195.member_9, _e6195.member_10, _e6195.member_11, _e6195.member_12, _e6195.member_13, _e6195.member_14, _e6195.member_15, _e6195.member_16, _e6195.member_17, _e6195.member_18, _e6195.member_19, _e6195.member_20, _e6195.member_21, _e6195.member_22, _e6195.member_23, _e6195.member_24, _e6195.member_25, _e6195.member_26, _e6195.member_27);
+let _e6931 = type_27(_e6195.member, _e6195.member_1, _e6195.member_2, _e6195.member_3, _e6195.member_4, _e6195.member_5, vec3<f32>(_e6900, _e6901, _e6902), _e6195.member_7, _e6195.member_8, _e6195.member_9, _e6195.member_10, _e6195.member_11, _e6195.member_12, _e6195.member_13, _e6195.member_14, _e6195.member_15, _e6195.member_16, _e6195.member_17, _e6195.member_18, _e6195.member_19, _e6195.member_20, _e6195.member_21, _e6195.member_22, _e6195.member_23, _e6195.member_24, _e6195.member_25, _e6195.member_26, _e6195.member_27);
 if (bitcast<i32>(countOneBits(0u)) == _e5453.member_20) {
-phi_12382_ = ((((1f + 1f) + 1f) * _e6898) - (((_e6900 + _e6901) + _e6902) * _e6898));
+phi_12383_ = ((((1f + 1f) + 1f) * _e6898) - (((_e6900 + _e6901) + _e6902) * _e6898));
 } else {
-phi_12382_ = 0f;
+phi_12383_ = 0f;
 }
-let _e6941 = phi_12382_;
-let _e6971 = type_26(_e6931.member, _e6931.member_1, _e6931.member_2, _e6931.member_3, _e6931.member_4, _e6931.member_5, _e6931.member_6, _e6931.member_7, _e6931.member_8, _e6931.member_9, _e6931.member_10, _e6931.member_11, _e6931.member_12, _e6931.member_13, _e6931.member_14, _e6931.member_15, _e6931.member_16, _e6931.member_17, _e6931.member_18, _e6931.member_19, _e6931.member_20, _e6931.member_21, _e6931.member_22, _e6931.member_23, _e6931.member_24, _e6931.member_25, (_e5453.member_26 + _e6941), _e6931.member_27);
+let _e6941 = phi_12383_;
+let _e6971 = type_27(_e6931.member, _e6931.member_1, _e6931.member_2, _e6931.member_3, _e6931.member_4, _e6931.member_5, _e6931.member_6, _e6931.member_7, _e6931.member_8, _e6931.member_9, _e6931.member_10, _e6931.member_11, _e6931.member_12, _e6931.member_13, _e6931.member_14, _e6931.member_15, _e6931.member_16, _e6931.member_17, _e6931.member_18, _e6931.member_19, _e6931.member_20, _e6931.member_21, _e6931.member_22, _e6931.member_23, _e6931.member_24, _e6931.member_25, (_e5453.member_26 + _e6941), _e6931.member_27);
 if _e5723 {
-phi_12409_ = type_26(_e6971.member, _e6971.member_1, _e6971.member_2, _e6971.member_3, _e6971.member_4, _e6971.member_5, _e6971.member_6, _e6971.member_7, _e1898, _e6971.member_9, _e6971.member_10, _e6971.member_11, _e6971.member_12, _e6971.member_13, _e6971.member_14, _e6971.member_15, _e6971.member_16, _e6971.member_17, _e6971.member_18, _e6971.member_19, _e6971.member_20, _e6971.member_21, _e6971.member_22, _e6971.member_23, _e6971.member_24, _e6971.member_25, _e6971.member_26, _e6971.member_27);
+phi_12410_ = type_27(_e6971.member, _e6971.member_1, _e6971.member_2, _e6971.member_3, _e6971.member_4, _e6971.member_5, _e6971.member_6, _e6971.member_7, _e1898, _e6971.member_9, _e6971.member_10, _e6971.member_11, _e6971.member_12, _e6971.member_13, _e6971.member_14, _e6971.member_15, _e6971.member_16, _e6971.member_17, _e6971.member_18, _e6971.member_19, _e6971.member_20, _e6971.member_21, _e6971.member_22, _e6971.member_23, _e6971.member_24, _e6971.member_25, _e6971.member_26, _e6971.member_27);
 } else {
-phi_12409_ = _e6971;
+phi_12410_ = _e6971;
 }
-let _e7001 = phi_12409_;
-phi_12410_ = _e7001;
+let _e7001 = phi_12410_;
+phi_12411_ = _e7001;
 }
-let _e7031 = phi_12410_;
-phi_12411_ = _e7031;
+let _e7031 = phi_12411_;
+phi_12412_ = _e7031;
 } else {
-phi_12411_ = _e5177;
+phi_12412_ = _e5177;
 }
-let _e7033 = phi_12411_;
-phi_12412_ = type_26();
-phi_12413_ = _e7033;
+let _e7033 = phi_12412_;
+phi_12413_ = type_27();
+phi_12414_ = _e7033;
 }
-let _e7311 = phi_12412_;
-let _e7313 = phi_12413_;
-phi_12414_ = _e7311;
-phi_12415_ = _e7313;
-phi_12416_ = _e3132;
+let _e7311 = phi_12413_;
+let _e7313 = phi_12414_;
+phi_12415_ = _e7311;
+phi_12416_ = _e7313;
+phi_12417_ = _e3132;
 }
-let _e9219 = phi_12414_;
-let _e9221 = phi_12415_;
-let _e9223 = phi_12416_;
+let _e9219 = phi_12415_;
+let _e9221 = phi_12416_;
+let _e9223 = phi_12417_;
 if _e9223 {
-phi_12420_ = _e9219;
+phi_12421_ = _e9219;
 } else {
-phi_12420_ = _e9221;
+phi_12421_ = _e9221;
 }
-let _e9225 = phi_12420_;
-phi_12421_ = _e9225;
+let _e9225 = phi_12421_;
+phi_12422_ = _e9225;
 }
-let _e9285 = phi_12421_;
-phi_12423_ = _e9285;
-phi_12424_ = select(false, _e1936, _e1979);
+let _e9285 = phi_12422_;
+phi_12424_ = _e9285;
+phi_12425_ = select(false, _e1936, _e1979);
 }
-let _e10141 = phi_12423_;
-let _e10143 = phi_12424_;
-phi_3216_ = _e10141;
-phi_3219_ = (_e1934 + 1i);
-phi_3221_ = _e10143;
+let _e10141 = phi_12424_;
+let _e10143 = phi_12425_;
+phi_3217_ = _e10141;
+phi_3220_ = (_e1934 + 1i);
+phi_3222_ = _e10143;
 } else {
-phi_3216_ = type_26();
-phi_3219_ = i32();
-phi_3221_ = bool();
+phi_3217_ = type_27();
+phi_3220_ = i32();
+phi_3222_ = bool();
 }
-let _e10145 = phi_3216_;
-let _e10147 = phi_3219_;
-let _e10149 = phi_3221_;
+let _e10145 = phi_3217_;
+let _e10147 = phi_3220_;
+let _e10149 = phi_3222_;
 continue;
 continuing {
-phi_3215_ = _e10145;
-phi_3218_ = _e10147;
-phi_3220_ = _e10149;
+phi_3216_ = _e10145;
+phi_3219_ = _e10147;
+phi_3221_ = _e10149;
 break if !(_e1940);
 }
 }

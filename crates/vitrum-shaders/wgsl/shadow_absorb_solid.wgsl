@@ -22,9 +22,10 @@ member_6: u32,
 member_7: u32,
 member_8: u32,
 member_9: u32,
-member_10: type_4,
+member_10: u32,
 member_11: type_4,
-member_12: f32,
+member_12: type_4,
+member_13: f32,
 }
 struct type_9 {
 member: type_8,
@@ -106,14 +107,14 @@ let _e97 = select(_e93, _e95, (_e95 < _e93));
 let _e104 = select(0i, select(select(i32(_e97), i32(-2147483648), (_e97 < -2147483600f)), 2147483647i, (_e97 > 2147483500f)), (_e97 == _e97));
 let _e108 = (_e104 - select(0i, 1i, (_e97 < f32(_e104))));
 let _e113 = global_2.member.member_5;
-let _e123 = global_2.member.member_11.member;
-let _e127 = global_2.member.member_11.member_2;
+let _e123 = global_2.member.member_12.member;
+let _e127 = global_2.member.member_12.member_2;
 let _e129 = (_e123 + (_e127 * (f32((_e52 - (_e108 * _e84))) + 0.5f)));
-let _e133 = global_2.member.member_11.member_1;
+let _e133 = global_2.member.member_12.member_1;
 let _e135 = (_e133 + (_e127 * (f32((_e108 + bitcast<i32>(_e113))) + 0.5f)));
 let _e139 = ((1f + (_e129 * _e129)) + (_e135 * _e135));
-let _e145 = global_2.member.member_8;
-let _e153 = global_2.member.member_7;
+let _e145 = global_2.member.member_9;
+let _e153 = global_2.member.member_8;
 let _e154 = bitcast<i32>(_e153);
 phi_229_ = 0i;
 phi_232_ = 0u;
@@ -139,7 +140,7 @@ let _e177 = phi_267_;
 let _e179 = (f32(_e177) * (1f / f32((1u << bitcast<u32>((_e145 & 31u))))));
 let _e182 = (select(1f, _e179, (_e179 < 1f)) * sqrt(select(0f, _e139, (_e139 > 0f))));
 let _e186 = ((((_e52 * _e51) + _e156) * _e154) * 2i);
-let _e190 = global_2.member.member_10.member;
+let _e190 = global_2.member.member_11.member;
 let _e193 = (((_e190 * _e182) * 16777216f) + 0.5f);
 let _e195 = select(-1073741800f, _e193, (_e193 > -1073741800f));
 let _e197 = select(1073741800f, _e195, (_e195 < 1073741800f));
@@ -167,7 +168,7 @@ let _e231 = atomicAdd((&global_1.member[_e227]), _e225);
 }
 }
 if (_e154 > 1i) {
-let _e237 = global_2.member.member_10.member_1;
+let _e237 = global_2.member.member_11.member_1;
 let _e240 = (((_e237 * _e182) * 16777216f) + 0.5f);
 let _e242 = select(-1073741800f, _e240, (_e240 > -1073741800f));
 let _e244 = select(1073741800f, _e242, (_e242 < 1073741800f));
@@ -194,7 +195,7 @@ let _e278 = atomicAdd((&global_1.member[_e274]), _e272);
 }
 }
 }
-let _e283 = global_2.member.member_10.member_2;
+let _e283 = global_2.member.member_11.member_2;
 let _e286 = (((_e283 * _e182) * 16777216f) + 0.5f);
 let _e288 = select(-1073741800f, _e286, (_e286 > -1073741800f));
 let _e290 = select(1073741800f, _e288, (_e288 < 1073741800f));

@@ -25,9 +25,10 @@ member_6: u32,
 member_7: u32,
 member_8: u32,
 member_9: u32,
-member_10: type_4,
+member_10: u32,
 member_11: type_4,
-member_12: f32,
+member_12: type_4,
+member_13: f32,
 }
 struct type_11 {
 member: type_10,
@@ -119,7 +120,7 @@ let _e205 = bitcast<i32>(_e204);
 let _e206 = f32(_e205);
 let _e209 = global_1.member.member_3;
 let _e210 = bitcast<i32>(_e209);
-let _e214 = global_1.member.member_7;
+let _e214 = global_1.member.member_8;
 let _e215 = bitcast<i32>(_e214);
 phi_367_ = _e69;
 loop {
@@ -177,7 +178,7 @@ if _e343 {
 let _e347 = (((f32(_e342) + 0.5f) - _e291) * (1f / select((_e287 - _e291), 1f, (_e287 == _e291))));
 let _e349 = select(0f, _e347, (_e347 > 0f));
 let _e354 = (_e289 + ((select(select(_e280, _e261, _e245), _e240, _e223) - _e289) * select(1f, _e349, (_e349 < 1f))));
-let _e357 = global_1.member.member_12;
+let _e357 = global_1.member.member_13;
 let _e361 = (_e354 / (1f + (_e357 * (_e206 - _e354))));
 let _e363 = select(0f, _e361, (_e361 > 0f));
 let _e365 = select(_e206, _e363, (_e363 < _e206));

@@ -41,20 +41,71 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
 struct type_16 {
+member: array<f32>,
+}
+struct type_20 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -62,7 +113,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -80,7 +131,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_19 {
+struct type_23 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,107 +142,68 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_5,
 member_1: type_5,
 }
-struct type_21 {
-member: type_15,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_22 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_23 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_15,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_15,
-member_18: type_21,
-member_19: type_5,
-member_20: type_22,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_15,
-member_4: type_15,
+member_2: type_20,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_17,
-member_8: type_18,
-member_9: type_18,
-member_10: type_19,
-member_11: type_20,
-member_12: type_23,
-member_13: type_17,
+member_7: type_21,
+member_8: type_22,
+member_9: type_22,
+member_10: type_23,
+member_11: type_24,
+member_12: type_14,
+member_13: type_21,
 member_14: type_4,
 member_15: type_9,
-member_16: type_24,
-member_17: type_24,
-member_18: type_24,
-member_19: type_24,
-member_20: type_5,
+member_16: type_25,
+member_17: type_25,
+member_18: type_25,
+member_19: type_25,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_26 {
-member: type_25,
-}
 struct type_27 {
+member: type_26,
+}
+struct type_28 {
 member: vec3<f32>,
 member_1: f32,
 member_2: bool,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_11;
+var<storage> global_1: type_16;
 @group(0) @binding(0)
-var<storage> global_2: type_26;
+var<storage> global_2: type_27;
 @group(0) @binding(2)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_11;
+var<storage, read_write> global_4: type_16;
 fn function_() {
-var phi_163_: i32;
-var phi_330_: type_27;
-var phi_334_: vec3<f32>;
-var phi_337_: i32;
-var phi_339_: f32;
-var phi_396_: i32;
-var phi_563_: type_27;
+var phi_164_: i32;
+var phi_331_: type_28;
 var phi_335_: vec3<f32>;
 var phi_338_: i32;
 var phi_340_: f32;
+var phi_397_: i32;
+var phi_564_: type_28;
+var phi_336_: vec3<f32>;
+var phi_339_: i32;
+var phi_341_: f32;
 var local: vec3<f32>;
 var local_1: vec3<f32>;
 var local_2: vec3<f32>;
@@ -217,11 +229,11 @@ let _e76 = ((((_e56 >= 0i) && (_e56 <= _e63)) && (_e57 >= 0i)) && (_e57 <= _e69)
 let _e77 = (_e62 + 1u);
 let _e80 = bitcast<i32>((_e77 * (_e68 + 1u)));
 if _e76 {
-phi_163_ = ((_e57 * bitcast<i32>(_e77)) + _e56);
+phi_164_ = ((_e57 * bitcast<i32>(_e77)) + _e56);
 } else {
-phi_163_ = 0i;
+phi_164_ = 0i;
 }
-let _e85 = phi_163_;
+let _e85 = phi_164_;
 let _e86 = (11i * _e80);
 let _e87 = (_e86 + _e85);
 let _e89 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
@@ -242,7 +254,7 @@ let _e129 = global_1.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
 let _e132 = ((12i * _e80) + _e85);
 let _e134 = select(_e89, _e132, (_e132 < _e89));
 let _e140 = global_1.member[bitcast<u32>(select(0i, _e134, (_e134 > 0i)))];
-phi_330_ = type_27(vec3<f32>(_e110, _e119, _e129), _e140, _e99);
+phi_331_ = type_28(vec3<f32>(_e110, _e119, _e129), _e140, _e99);
 } else {
 let _e143 = (bitcast<i32>(_e33) - 1i);
 let _e145 = select(_e143, _e85, (_e85 < _e143));
@@ -256,16 +268,16 @@ let _e170 = global_3.member[bitcast<u32>(select(0i, _e164, (_e164 > 0i)))];
 let _e173 = ((3i * _e80) + _e85);
 let _e175 = select(_e143, _e173, (_e173 < _e143));
 let _e181 = global_3.member[bitcast<u32>(select(0i, _e175, (_e175 > 0i)))];
-phi_330_ = type_27(vec3<f32>(_e151, _e160, _e170), _e181, _e99);
+phi_331_ = type_28(vec3<f32>(_e151, _e160, _e170), _e181, _e99);
 }
-let _e184 = phi_330_;
-phi_334_ = _e184.member;
-phi_337_ = 0i;
-phi_339_ = _e184.member_1;
+let _e184 = phi_331_;
+phi_335_ = _e184.member;
+phi_338_ = 0i;
+phi_340_ = _e184.member_1;
 loop {
-let _e188 = phi_334_;
-let _e190 = phi_337_;
-let _e192 = phi_339_;
+let _e188 = phi_335_;
+let _e190 = phi_338_;
+let _e192 = phi_340_;
 local = _e188;
 local_1 = _e188;
 local_2 = _e188;
@@ -279,11 +291,11 @@ let _e199 = (_e56 + _e198);
 let _e201 = (_e57 + (_e196 - _e198));
 let _e208 = ((((_e199 >= 0i) && (_e199 <= _e63)) && (_e201 >= 0i)) && (_e201 <= _e69));
 if _e208 {
-phi_396_ = ((_e201 * bitcast<i32>(_e77)) + _e199);
+phi_397_ = ((_e201 * bitcast<i32>(_e77)) + _e199);
 } else {
-phi_396_ = 0i;
+phi_397_ = 0i;
 }
-let _e213 = phi_396_;
+let _e213 = phi_397_;
 let _e214 = (_e86 + _e213);
 let _e216 = select(_e89, _e214, (_e214 < _e89));
 let _e222 = global_1.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
@@ -301,7 +313,7 @@ let _e253 = global_1.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
 let _e256 = ((12i * _e80) + _e213);
 let _e258 = select(_e89, _e256, (_e256 < _e89));
 let _e264 = global_1.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
-phi_563_ = type_27(vec3<f32>(_e234, _e243, _e253), _e264, _e224);
+phi_564_ = type_28(vec3<f32>(_e234, _e243, _e253), _e264, _e224);
 } else {
 let _e267 = (bitcast<i32>(_e33) - 1i);
 let _e269 = select(_e267, _e213, (_e213 < _e267));
@@ -315,9 +327,9 @@ let _e294 = global_3.member[bitcast<u32>(select(0i, _e288, (_e288 > 0i)))];
 let _e297 = ((3i * _e80) + _e213);
 let _e299 = select(_e267, _e297, (_e297 < _e267));
 let _e305 = global_3.member[bitcast<u32>(select(0i, _e299, (_e299 > 0i)))];
-phi_563_ = type_27(vec3<f32>(_e275, _e284, _e294), _e305, _e224);
+phi_564_ = type_28(vec3<f32>(_e275, _e284, _e294), _e305, _e224);
 }
-let _e308 = phi_563_;
+let _e308 = phi_564_;
 let _e317 = (1f / 3f);
 let _e330 = ((1f - (((_e184.member.x + _e184.member.y) + _e184.member.z) * _e317)) + (1f - (((_e308.member.x + _e308.member.y) + _e308.member.z) * _e317)));
 let _e333 = (_e330 > 1e-6f);
@@ -337,22 +349,22 @@ let _e381 = global_2.member.member_12.member_24;
 let _e382 = (((0.125f * (_e371 * _e371)) * ((_e349 * _e349) - (_e342 * _e342))) * _e381);
 let _e388 = select(0f, _e382, (_e382 > 0f));
 let _e391 = select(0f, select(0.2f, _e388, (_e388 < 0.2f)), ((_e184.member_2 && _e308.member_2) && _e333));
-phi_335_ = vec3<f32>((_e188.x + ((_e308.member.x - _e184.member.x) * _e391)), (_e188.y + ((_e308.member.y - _e184.member.y) * _e391)), (_e188.z + ((_e308.member.z - _e184.member.z) * _e391)));
-phi_338_ = (_e190 + 1i);
-phi_340_ = (_e192 + ((_e308.member_1 - _e184.member_1) * _e391));
+phi_336_ = vec3<f32>((_e188.x + ((_e308.member.x - _e184.member.x) * _e391)), (_e188.y + ((_e308.member.y - _e184.member.y) * _e391)), (_e188.z + ((_e308.member.z - _e184.member.z) * _e391)));
+phi_339_ = (_e190 + 1i);
+phi_341_ = (_e192 + ((_e308.member_1 - _e184.member_1) * _e391));
 } else {
-phi_335_ = vec3<f32>();
-phi_338_ = i32();
-phi_340_ = f32();
+phi_336_ = vec3<f32>();
+phi_339_ = i32();
+phi_341_ = f32();
 }
-let _e417 = phi_335_;
-let _e419 = phi_338_;
-let _e421 = phi_340_;
+let _e417 = phi_336_;
+let _e419 = phi_339_;
+let _e421 = phi_341_;
 continue;
 continuing {
-phi_334_ = _e417;
-phi_337_ = _e419;
-phi_339_ = _e421;
+phi_335_ = _e417;
+phi_338_ = _e419;
+phi_340_ = _e421;
 break if !(_e193);
 }
 }

@@ -41,27 +41,78 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_14 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
 struct type_16 {
+member: array<f32>,
+}
+struct type_20 {
 member: array<u32>,
 }
-struct type_17 {
+struct type_21 {
 member: vec3<f32>,
 member_1: f32,
 }
-struct type_18 {
+struct type_22 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_23 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +120,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -87,7 +138,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_21 {
+struct type_25 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -98,115 +149,76 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
+struct type_26 {
 member: type_5,
 member_1: type_5,
 }
-struct type_23 {
-member: type_14,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_24 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_14,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_14,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_26 {
+struct type_27 {
 member: type_7,
 member_1: u32,
 }
-struct type_27 {
+struct type_28 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_14,
-member_4: type_14,
+member_2: type_22,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_19,
-member_8: type_20,
-member_9: type_20,
-member_10: type_21,
-member_11: type_22,
-member_12: type_25,
-member_13: type_19,
+member_7: type_23,
+member_8: type_24,
+member_9: type_24,
+member_10: type_25,
+member_11: type_26,
+member_12: type_14,
+member_13: type_23,
 member_14: type_4,
 member_15: type_9,
-member_16: type_26,
-member_17: type_26,
-member_18: type_26,
-member_19: type_26,
-member_20: type_5,
+member_16: type_27,
+member_17: type_27,
+member_18: type_27,
+member_19: type_27,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_28 {
-member: type_27,
+struct type_29 {
+member: type_28,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(4)
-var<storage, read_write> global_1: type_11;
+var<storage, read_write> global_1: type_16;
 @group(0) @binding(0)
-var<storage> global_2: type_28;
+var<storage> global_2: type_29;
 @group(0) @binding(2)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 @group(0) @binding(1)
-var<storage> global_4: type_16;
+var<storage> global_4: type_20;
 @group(0) @binding(3)
-var<storage> global_5: type_16;
+var<storage> global_5: type_20;
 fn function_() {
-var phi_1712_: u32;
 var phi_1713_: u32;
-var phi_276_: i32;
-var phi_453_: f32;
-var phi_487_: f32;
-var phi_522_: f32;
-var phi_557_: f32;
-var phi_667_: f32;
-var phi_721_: i32;
-var phi_765_: i32;
-var phi_891_: vec3<f32>;
-var phi_946_: i32;
-var phi_1075_: vec3<f32>;
-var phi_1110_: i32;
-var phi_1238_: vec3<f32>;
-var phi_1285_: i32;
-var phi_1413_: vec3<f32>;
-var phi_1449_: i32;
-var phi_1576_: vec3<f32>;
-var phi_1674_: i32;
-var phi_1821_: type_17;
+var phi_1714_: u32;
+var phi_277_: i32;
+var phi_454_: f32;
+var phi_488_: f32;
+var phi_523_: f32;
+var phi_558_: f32;
+var phi_668_: f32;
+var phi_722_: i32;
+var phi_766_: i32;
+var phi_892_: vec3<f32>;
+var phi_947_: i32;
+var phi_1076_: vec3<f32>;
+var phi_1111_: i32;
+var phi_1239_: vec3<f32>;
+var phi_1286_: i32;
+var phi_1414_: vec3<f32>;
+var phi_1450_: i32;
+var phi_1577_: vec3<f32>;
+var phi_1675_: i32;
+var phi_1822_: type_21;
 let _e51 = global;
 let _e55 = arrayLength((&global_3.member));
 let _e60 = global_2.member.member_2;
@@ -237,11 +249,11 @@ let _e232 = global_2.member.member_12.member_4.member_1;
 let _e233 = bitcast<i32>(_e232);
 let _e240 = ((((_e115 >= 0i) && (_e115 < _e227)) && (_e118 >= 0i)) && (_e118 < _e233));
 if _e240 {
-phi_276_ = ((_e118 * _e227) + _e115);
+phi_277_ = ((_e118 * _e227) + _e115);
 } else {
-phi_276_ = 0i;
+phi_277_ = 0i;
 }
-let _e244 = phi_276_;
+let _e244 = phi_277_;
 let _e245 = (_e227 * _e233);
 let _e247 = (bitcast<i32>(_e55) - 1i);
 let _e249 = select(_e247, _e244, (_e244 < _e247));
@@ -267,7 +279,7 @@ let _e318 = f32(_e118);
 let _e322 = global_2.member.member_12.member_3;
 let _e323 = (_e322 == 0u);
 if _e323 {
-phi_453_ = 1f;
+phi_454_ = 1f;
 } else {
 let _e327 = global_2.member.member_12.member_5;
 let _e331 = global_2.member.member_12.member_7;
@@ -276,12 +288,12 @@ let _e337 = global_2.member.member_12.member_6;
 let _e339 = (_e337 + (_e318 * _e331));
 let _e344 = (((_e333 * _e333) + (_e339 * _e339)) + (1f * 1f));
 let _e348 = (1f / sqrt(select(0f, _e344, (_e344 > 0f))));
-phi_453_ = ((_e348 * _e348) * _e348);
+phi_454_ = ((_e348 * _e348) * _e348);
 }
-let _e352 = phi_453_;
+let _e352 = phi_454_;
 let _e353 = (_e317 + 1f);
 if _e323 {
-phi_487_ = 1f;
+phi_488_ = 1f;
 } else {
 let _e357 = global_2.member.member_12.member_5;
 let _e361 = global_2.member.member_12.member_7;
@@ -290,12 +302,12 @@ let _e367 = global_2.member.member_12.member_6;
 let _e369 = (_e367 + (_e318 * _e361));
 let _e374 = (((_e363 * _e363) + (_e369 * _e369)) + (1f * 1f));
 let _e378 = (1f / sqrt(select(0f, _e374, (_e374 > 0f))));
-phi_487_ = ((_e378 * _e378) * _e378);
+phi_488_ = ((_e378 * _e378) * _e378);
 }
-let _e382 = phi_487_;
+let _e382 = phi_488_;
 let _e384 = (_e318 + 1f);
 if _e323 {
-phi_522_ = 1f;
+phi_523_ = 1f;
 } else {
 let _e388 = global_2.member.member_12.member_5;
 let _e392 = global_2.member.member_12.member_7;
@@ -304,11 +316,11 @@ let _e398 = global_2.member.member_12.member_6;
 let _e400 = (_e398 + (_e384 * _e392));
 let _e405 = (((_e394 * _e394) + (_e400 * _e400)) + (1f * 1f));
 let _e409 = (1f / sqrt(select(0f, _e405, (_e405 > 0f))));
-phi_522_ = ((_e409 * _e409) * _e409);
+phi_523_ = ((_e409 * _e409) * _e409);
 }
-let _e413 = phi_522_;
+let _e413 = phi_523_;
 if _e323 {
-phi_557_ = 1f;
+phi_558_ = 1f;
 } else {
 let _e417 = global_2.member.member_12.member_5;
 let _e421 = global_2.member.member_12.member_7;
@@ -317,12 +329,12 @@ let _e427 = global_2.member.member_12.member_6;
 let _e429 = (_e427 + (_e384 * _e421));
 let _e434 = (((_e423 * _e423) + (_e429 * _e429)) + (1f * 1f));
 let _e438 = (1f / sqrt(select(0f, _e434, (_e434 > 0f))));
-phi_557_ = ((_e438 * _e438) * _e438);
+phi_558_ = ((_e438 * _e438) * _e438);
 }
-let _e442 = phi_557_;
+let _e442 = phi_558_;
 let _e445 = (((_e352 + _e382) + (_e413 + _e442)) * 0.25f);
 if _e323 {
-phi_667_ = 1f;
+phi_668_ = 1f;
 } else {
 let _e451 = global_2.member.member_12.member_5;
 let _e455 = global_2.member.member_12.member_7;
@@ -340,9 +352,9 @@ let _e504 = global_2.member.member_12.member_20.member_2;
 let _e505 = ((_e498 - (sqrt(select(0f, _e487, (_e487 > 0f))) / select(1e-20f, _e476, (_e476 > 1e-20f)))) * _e504);
 let _e507 = select(0f, _e505, (_e505 > 0f));
 let _e509 = select(1f, _e507, (_e507 < 1f));
-phi_667_ = select(1f, select(0f, ((_e509 * _e509) * (3f - (2f * _e509))), (_e476 > 0f)), (_e504 > 0f));
+phi_668_ = select(1f, select(0f, ((_e509 * _e509) * (3f - (2f * _e509))), (_e476 > 0f)), (_e504 > 0f));
 }
-let _e519 = phi_667_;
+let _e519 = phi_668_;
 let _e521 = select((_e445 * _e519), 1f, _e240);
 let _e528 = global_2.member.member_12.member_15;
 let _e529 = bitcast<i32>(_e528);
@@ -355,23 +367,23 @@ let _e546 = global_2.member.member_12.member_14.member_1;
 let _e547 = bitcast<i32>(_e546);
 let _e552 = global_2.member.member_12.member_14.member_2;
 if ((((((_e533 >= 0i) && (_e533 < _e541)) && (_e535 >= 0i)) && (_e535 < _e547)) && (_e529 >= 0i)) && (_e529 < bitcast<i32>(_e552))) {
-phi_721_ = (((((_e529 * _e547) + _e535) * _e541) + _e533) * 3i);
+phi_722_ = (((((_e529 * _e547) + _e535) * _e541) + _e533) * 3i);
 } else {
-phi_721_ = -1i;
+phi_722_ = -1i;
 }
-let _e571 = phi_721_;
+let _e571 = phi_722_;
 let _e572 = (_e571 + 2i);
 let _e574 = select(_e97, _e572, (_e572 < _e97));
 let _e580 = global_5.member[bitcast<u32>(select(0i, _e574, (_e574 > 0i)))];
 let _e581 = bitcast<i32>(_e580);
 if ((_e571 < 0i) || (_e581 == 0i)) {
-phi_765_ = -1i;
+phi_766_ = -1i;
 } else {
 let _e596 = global_2.member.member_12.member_17.member;
 let _e601 = global_2.member.member_12.member_17.member_1;
-phi_765_ = (bitcast<i32>((_e596 * _e601)) + ((((_e581 - 1i) * 64i) + ((_e118 & 7i) * 8i)) + (_e115 & 7i)));
+phi_766_ = (bitcast<i32>((_e596 * _e601)) + ((((_e581 - 1i) * 64i) + ((_e118 & 7i) * 8i)) + (_e115 & 7i)));
 }
-let _e606 = phi_765_;
+let _e606 = phi_766_;
 let _e607 = (_e606 * 6i);
 let _e609 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e611 = select(_e609, _e607, (_e607 < _e609));
@@ -390,14 +402,14 @@ let _e646 = select(_e609, _e644, (_e644 < _e609));
 let _e652 = global_4.member[bitcast<u32>(select(0i, _e646, (_e646 > 0i)))];
 let _e662 = (((_e63.member_2 == 3u) || (_e63.member_2 == 4u)) || _e120);
 if _e662 {
-phi_891_ = vec3(_e632);
+phi_892_ = vec3(_e632);
 } else {
 let _e663 = (_e607 + 4i);
 let _e665 = select(_e609, _e663, (_e663 < _e609));
 let _e671 = global_4.member[bitcast<u32>(select(0i, _e665, (_e665 > 0i)))];
-phi_891_ = vec3<f32>(_e632, f32((bitcast<i32>(_e627) - (_e618 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e671)));
+phi_892_ = vec3<f32>(_e632, f32((bitcast<i32>(_e627) - (_e618 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e671)));
 }
-let _e677 = phi_891_;
+let _e677 = phi_892_;
 let _e679 = select(0f, 1f, (_e606 >= 0i));
 let _e684 = (firstTrailingBit(4u) & 31u);
 let _e686 = (_e115 >> bitcast<u32>(_e684));
@@ -415,11 +427,11 @@ let _e716 = ((_e712 >= 0i) && (_e712 < _e705));
 let _e717 = (_e713 >= 0i);
 let _e719 = (_e713 < _e711);
 if ((_e716 && _e717) && _e719) {
-phi_946_ = ((_e713 * _e705) + _e712);
+phi_947_ = ((_e713 * _e705) + _e712);
 } else {
-phi_946_ = -1i;
+phi_947_ = -1i;
 }
-let _e724 = phi_946_;
+let _e724 = phi_947_;
 let _e725 = (1f - _e694);
 let _e726 = (1f - _e699);
 let _e728 = (_e724 * 6i);
@@ -438,23 +450,23 @@ let _e763 = (_e728 + 3i);
 let _e765 = select(_e609, _e763, (_e763 < _e609));
 let _e771 = global_4.member[bitcast<u32>(select(0i, _e765, (_e765 > 0i)))];
 if _e662 {
-phi_1075_ = vec3(_e751);
+phi_1076_ = vec3(_e751);
 } else {
 let _e778 = (_e728 + 4i);
 let _e780 = select(_e609, _e778, (_e778 < _e609));
 let _e786 = global_4.member[bitcast<u32>(select(0i, _e780, (_e780 > 0i)))];
-phi_1075_ = vec3<f32>(_e751, f32((bitcast<i32>(_e746) - (_e737 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e786)));
+phi_1076_ = vec3<f32>(_e751, f32((bitcast<i32>(_e746) - (_e737 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e786)));
 }
-let _e792 = phi_1075_;
+let _e792 = phi_1076_;
 let _e794 = select(0f, (_e725 * _e726), (_e724 >= 0i));
 let _e798 = (_e686 + 2i);
 let _e801 = ((_e798 >= 0i) && (_e798 < _e705));
 if ((_e801 && _e717) && _e719) {
-phi_1110_ = ((_e713 * _e705) + _e798);
+phi_1111_ = ((_e713 * _e705) + _e798);
 } else {
-phi_1110_ = -1i;
+phi_1111_ = -1i;
 }
-let _e807 = phi_1110_;
+let _e807 = phi_1111_;
 let _e809 = (_e807 * 6i);
 let _e811 = select(_e609, _e809, (_e809 < _e609));
 let _e817 = global_4.member[bitcast<u32>(select(0i, _e811, (_e811 > 0i)))];
@@ -471,24 +483,24 @@ let _e844 = (_e809 + 3i);
 let _e846 = select(_e609, _e844, (_e844 < _e609));
 let _e852 = global_4.member[bitcast<u32>(select(0i, _e846, (_e846 > 0i)))];
 if _e662 {
-phi_1238_ = vec3(_e832);
+phi_1239_ = vec3(_e832);
 } else {
 let _e859 = (_e809 + 4i);
 let _e861 = select(_e609, _e859, (_e859 < _e609));
 let _e867 = global_4.member[bitcast<u32>(select(0i, _e861, (_e861 > 0i)))];
-phi_1238_ = vec3<f32>(_e832, f32((bitcast<i32>(_e827) - (_e818 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e867)));
+phi_1239_ = vec3<f32>(_e832, f32((bitcast<i32>(_e827) - (_e818 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e867)));
 }
-let _e873 = phi_1238_;
+let _e873 = phi_1239_;
 let _e875 = select(0f, (_e694 * _e726), (_e807 >= 0i));
 let _e882 = (_e688 + 2i);
 let _e883 = (_e882 >= 0i);
 let _e885 = (_e882 < _e711);
 if ((_e716 && _e883) && _e885) {
-phi_1285_ = ((_e882 * _e705) + _e712);
+phi_1286_ = ((_e882 * _e705) + _e712);
 } else {
-phi_1285_ = -1i;
+phi_1286_ = -1i;
 }
-let _e890 = phi_1285_;
+let _e890 = phi_1286_;
 let _e892 = (_e890 * 6i);
 let _e894 = select(_e609, _e892, (_e892 < _e609));
 let _e900 = global_4.member[bitcast<u32>(select(0i, _e894, (_e894 > 0i)))];
@@ -505,21 +517,21 @@ let _e927 = (_e892 + 3i);
 let _e929 = select(_e609, _e927, (_e927 < _e609));
 let _e935 = global_4.member[bitcast<u32>(select(0i, _e929, (_e929 > 0i)))];
 if _e662 {
-phi_1413_ = vec3(_e915);
+phi_1414_ = vec3(_e915);
 } else {
 let _e942 = (_e892 + 4i);
 let _e944 = select(_e609, _e942, (_e942 < _e609));
 let _e950 = global_4.member[bitcast<u32>(select(0i, _e944, (_e944 > 0i)))];
-phi_1413_ = vec3<f32>(_e915, f32((bitcast<i32>(_e910) - (_e901 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e950)));
+phi_1414_ = vec3<f32>(_e915, f32((bitcast<i32>(_e910) - (_e901 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e950)));
 }
-let _e956 = phi_1413_;
+let _e956 = phi_1414_;
 let _e958 = select(0f, (_e725 * _e699), (_e890 >= 0i));
 if ((_e801 && _e883) && _e885) {
-phi_1449_ = ((_e882 * _e705) + _e798);
+phi_1450_ = ((_e882 * _e705) + _e798);
 } else {
-phi_1449_ = -1i;
+phi_1450_ = -1i;
 }
-let _e967 = phi_1449_;
+let _e967 = phi_1450_;
 let _e969 = (_e967 * 6i);
 let _e971 = select(_e609, _e969, (_e969 < _e609));
 let _e977 = global_4.member[bitcast<u32>(select(0i, _e971, (_e971 > 0i)))];
@@ -536,14 +548,14 @@ let _e1004 = (_e969 + 3i);
 let _e1006 = select(_e609, _e1004, (_e1004 < _e609));
 let _e1012 = global_4.member[bitcast<u32>(select(0i, _e1006, (_e1006 > 0i)))];
 if _e662 {
-phi_1576_ = vec3(_e992);
+phi_1577_ = vec3(_e992);
 } else {
 let _e1019 = (_e969 + 4i);
 let _e1021 = select(_e609, _e1019, (_e1019 < _e609));
 let _e1027 = global_4.member[bitcast<u32>(select(0i, _e1021, (_e1021 > 0i)))];
-phi_1576_ = vec3<f32>(_e992, f32((bitcast<i32>(_e987) - (_e978 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e1027)));
+phi_1577_ = vec3<f32>(_e992, f32((bitcast<i32>(_e987) - (_e978 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e1027)));
 }
-let _e1033 = phi_1576_;
+let _e1033 = phi_1577_;
 let _e1035 = select(0f, (_e694 * _e699), (_e967 >= 0i));
 let _e1045 = ((_e677 * _e679) + (((_e792 * _e794) + (_e873 * _e875)) + ((_e956 * _e958) + (_e1033 * _e1035))));
 let _e1051 = global_2.member.member_12.member_22;
@@ -563,35 +575,35 @@ let _e1109 = (2f * 16255f);
 let _e1111 = select(0f, _e1108, (_e1108 > 0f));
 let _e1113 = select(_e1109, _e1111, (_e1111 < _e1109));
 let _e1120 = select(0i, select(select(i32(_e1113), i32(-2147483648), (_e1113 < -2147483600f)), 2147483647i, (_e1113 > 2147483500f)), (_e1113 == _e1113));
-phi_1674_ = (32768i - (_e1120 - select(0i, 1i, (_e1113 < f32(_e1120)))));
+phi_1675_ = (32768i - (_e1120 - select(0i, 1i, (_e1113 < f32(_e1120)))));
 } else {
 let _e1086 = ((bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u)) * 16255f) + 0.5f);
 let _e1087 = (2f * 16255f);
 let _e1089 = select(0f, _e1086, (_e1086 > 0f));
 let _e1091 = select(_e1087, _e1089, (_e1089 < _e1087));
 let _e1098 = select(0i, select(select(i32(_e1091), i32(-2147483648), (_e1091 < -2147483600f)), 2147483647i, (_e1091 > 2147483500f)), (_e1091 == _e1091));
-phi_1674_ = (32768i + (_e1098 - select(0i, 1i, (_e1091 < f32(_e1098)))));
+phi_1675_ = (32768i + (_e1098 - select(0i, 1i, (_e1091 < f32(_e1098)))));
 }
-let _e1127 = phi_1674_;
+let _e1127 = phi_1675_;
 let _e1134 = ((bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u)) * 16255f) + 0.5f);
 let _e1135 = (2f * 16255f);
 let _e1137 = select(0f, _e1134, (_e1134 > 0f));
 let _e1139 = select(_e1135, _e1137, (_e1137 < _e1135));
 let _e1146 = select(0i, select(select(i32(_e1139), i32(-2147483648), (_e1139 < -2147483600f)), 2147483647i, (_e1139 > 2147483500f)), (_e1139 == _e1139));
-phi_1821_ = type_17(vec3<f32>((_e1059 * _e1076), (_e1060 * _e1076), (_e1061 * _e1076)), bitcast<f32>(((select(0u, 2147483648u, (_e1075 < 0f)) | (bitcast<u32>(((_e1146 - select(0i, 1i, (_e1139 < f32(_e1146)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1127))));
+phi_1822_ = type_21(vec3<f32>((_e1059 * _e1076), (_e1060 * _e1076), (_e1061 * _e1076)), bitcast<f32>(((select(0u, 2147483648u, (_e1075 < 0f)) | (bitcast<u32>(((_e1146 - select(0i, 1i, (_e1139 < f32(_e1146)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1127))));
 } else {
 let _e133 = global_2.member.member_12.member_4.member;
 let _e143 = global_2.member.member_12.member_4.member_1;
 let _e146 = ((((_e115 >= 0i) && (_e115 <= bitcast<i32>(_e133))) && (_e118 >= 0i)) && (_e118 <= bitcast<i32>(_e143)));
 if _e146 {
-phi_1712_ = bitcast<u32>(_e118);
-phi_1713_ = bitcast<u32>(_e115);
+phi_1713_ = bitcast<u32>(_e118);
+phi_1714_ = bitcast<u32>(_e115);
 } else {
-phi_1712_ = 0u;
 phi_1713_ = 0u;
+phi_1714_ = 0u;
 }
-let _e150 = phi_1712_;
-let _e152 = phi_1713_;
+let _e150 = phi_1713_;
+let _e152 = phi_1714_;
 let _e153 = (_e133 + 1u);
 let _e156 = bitcast<i32>((_e153 * (_e143 + 1u)));
 let _e161 = ((6i * _e156) + bitcast<i32>(((_e150 * _e153) + _e152)));
@@ -610,9 +622,9 @@ let _e199 = select(0f, _e196, (_e196 > 0f));
 let _e201 = select(_e197, _e199, (_e199 < _e197));
 let _e208 = select(0i, select(select(i32(_e201), i32(-2147483648), (_e201 < -2147483600f)), 2147483647i, (_e201 > 2147483500f)), (_e201 == _e201));
 let _e212 = (_e208 - select(0i, 1i, (_e201 < f32(_e208))));
-phi_1821_ = type_17(vec3<f32>(select(1f, _e171, _e146), select(1f, _e180, _e146), select(1f, _e190, _e146)), bitcast<f32>(((bitcast<u32>((_e212 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e212)))));
+phi_1822_ = type_21(vec3<f32>(select(1f, _e171, _e146), select(1f, _e180, _e146), select(1f, _e190, _e146)), bitcast<f32>(((bitcast<u32>((_e212 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e212)))));
 }
-let _e1161 = phi_1821_;
+let _e1161 = phi_1822_;
 global_1.member[_e78] = _e1161.member.x;
 global_1.member[(_e76 + _e78)] = _e1161.member.y;
 global_1.member[((2u * _e76) + _e78)] = _e1161.member.z;

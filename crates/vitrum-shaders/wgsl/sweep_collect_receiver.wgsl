@@ -41,23 +41,74 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_13 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
-struct type_15 {
-member: array<u32>,
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
 struct type_16 {
+member: array<f32>,
+}
+struct type_19 {
+member: array<u32>,
+}
+struct type_20 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,7 +116,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -83,7 +134,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_19 {
+struct type_23 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -94,100 +145,61 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_5,
 member_1: type_5,
 }
-struct type_21 {
-member: type_13,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_22 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_23 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_13,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_13,
-member_18: type_21,
-member_19: type_5,
-member_20: type_22,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_13,
-member_4: type_13,
+member_2: type_20,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_17,
-member_8: type_18,
-member_9: type_18,
-member_10: type_19,
-member_11: type_20,
-member_12: type_23,
-member_13: type_17,
+member_7: type_21,
+member_8: type_22,
+member_9: type_22,
+member_10: type_23,
+member_11: type_24,
+member_12: type_14,
+member_13: type_21,
 member_14: type_4,
 member_15: type_9,
-member_16: type_24,
-member_17: type_24,
-member_18: type_24,
-member_19: type_24,
-member_20: type_5,
+member_16: type_25,
+member_17: type_25,
+member_18: type_25,
+member_19: type_25,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_26 {
-member: type_25,
+struct type_27 {
+member: type_26,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_26;
+var<storage> global_1: type_27;
 @group(0) @binding(2)
-var<storage> global_2: type_11;
+var<storage> global_2: type_16;
 @group(0) @binding(3)
-var<storage, read_write> global_3: type_11;
+var<storage, read_write> global_3: type_16;
 @group(0) @binding(1)
-var<storage> global_4: type_15;
+var<storage> global_4: type_19;
 fn function_() {
-var phi_1255_: f32;
-var phi_1311_: f32;
-var phi_1354_: u32;
-var phi_1360_: u32;
-var phi_1422_: u32;
-var phi_1428_: u32;
-var phi_1490_: u32;
-var phi_1496_: u32;
+var phi_1256_: f32;
+var phi_1312_: f32;
+var phi_1355_: u32;
+var phi_1361_: u32;
+var phi_1423_: u32;
+var phi_1429_: u32;
+var phi_1491_: u32;
+var phi_1497_: u32;
 let _e36 = global;
 let _e43 = global_1.member.member_2;
 let _e46 = global_1.member.member;
@@ -353,7 +365,7 @@ let _e542 = global_1.member.member_12.member_23;
 let _e547 = global_1.member.member_12.member_3;
 let _e548 = (_e547 == 0u);
 if _e548 {
-phi_1255_ = 1f;
+phi_1256_ = 1f;
 } else {
 let _e552 = global_1.member.member_12.member_5;
 let _e556 = global_1.member.member_12.member_7;
@@ -371,14 +383,14 @@ let _e605 = global_1.member.member_12.member_20.member_2;
 let _e606 = ((_e599 - (sqrt(select(0f, _e588, (_e588 > 0f))) / select(1e-20f, _e577, (_e577 > 1e-20f)))) * _e605);
 let _e608 = select(0f, _e606, (_e606 > 0f));
 let _e610 = select(1f, _e608, (_e608 < 1f));
-phi_1255_ = select(1f, select(0f, ((_e610 * _e610) * (3f - (2f * _e610))), (_e577 > 0f)), (_e605 > 0f));
+phi_1256_ = select(1f, select(0f, ((_e610 * _e610) * (3f - (2f * _e610))), (_e577 > 0f)), (_e605 > 0f));
 }
-let _e620 = phi_1255_;
+let _e620 = phi_1256_;
 let _e621 = (((((_e218 >= 0f) && (_e218 <= _e78)) && (_e243 >= 0f)) && (_e243 <= _e142)) && (_e542 == 0f));
 let _e631 = global_1.member.member.member;
 let _e635 = bitcast<i32>((((_e56 * _e631) + _e54) * 6u));
 if _e548 {
-phi_1311_ = 1f;
+phi_1312_ = 1f;
 } else {
 let _e640 = global_1.member.member_12.member_5;
 let _e644 = global_1.member.member_12.member_7;
@@ -387,9 +399,9 @@ let _e650 = global_1.member.member_12.member_6;
 let _e652 = (_e650 + (_e243 * _e644));
 let _e657 = (((_e646 * _e646) + (_e652 * _e652)) + (1f * 1f));
 let _e661 = (1f / sqrt(select(0f, _e657, (_e657 > 0f))));
-phi_1311_ = ((_e661 * _e661) * _e661);
+phi_1312_ = ((_e661 * _e661) * _e661);
 }
-let _e665 = phi_1311_;
+let _e665 = phi_1312_;
 let _e667 = (1f / (((((((select(_e84, _e92, (_e92 < _e84)) + ((_e97 * _e89) / select(_e100, _e99, (_e99 > _e100)))) - ((_e107 * _e89) / select(_e100, _e109, (_e109 > _e100)))) / _e83) - (((select(_e84, _e117, (_e117 < _e84)) + ((_e122 * _e89) / select(_e100, _e124, (_e124 > _e100)))) - ((_e131 * _e89) / select(_e100, _e133, (_e133 > _e100)))) / _e83)) * ((((select(_e143, _e146, (_e146 < _e143)) + ((_e151 * _e89) / select(_e100, _e153, (_e153 > _e100)))) - ((_e160 * _e89) / select(_e100, _e162, (_e162 > _e100)))) / _e83) - (((select(_e143, _e170, (_e170 < _e143)) + ((_e175 * _e89) / select(_e100, _e177, (_e177 > _e100)))) - ((_e184 * _e89) / select(_e100, _e186, (_e186 > _e100)))) / _e83))) * 16777216f) * _e665));
 let _e669 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e671 = select(_e669, _e635, (_e635 < _e669));
@@ -399,17 +411,17 @@ let _e680 = select(_e669, _e678, (_e678 < _e669));
 let _e686 = global_4.member[bitcast<u32>(select(0i, _e680, (_e680 > 0i)))];
 let _e689 = ((_e686 >> bitcast<u32>(31i)) != 0u);
 if _e689 {
-phi_1354_ = (~(_e677) + 1u);
+phi_1355_ = (~(_e677) + 1u);
 } else {
-phi_1354_ = _e677;
+phi_1355_ = _e677;
 }
-let _e695 = phi_1354_;
+let _e695 = phi_1355_;
 if _e689 {
-phi_1360_ = (~(_e686) + select(0u, 1u, (_e677 == 0u)));
+phi_1361_ = (~(_e686) + select(0u, 1u, (_e677 == 0u)));
 } else {
-phi_1360_ = _e686;
+phi_1361_ = _e686;
 }
-let _e699 = phi_1360_;
+let _e699 = phi_1361_;
 let _e721 = ((((f32(bitcast<i32>(((_e699 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e699 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e695 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e695 & 65535u)))));
 let _e727 = (_e635 + 2i);
 let _e729 = select(_e669, _e727, (_e727 < _e669));
@@ -419,17 +431,17 @@ let _e738 = select(_e669, _e736, (_e736 < _e669));
 let _e744 = global_4.member[bitcast<u32>(select(0i, _e738, (_e738 > 0i)))];
 let _e747 = ((_e744 >> bitcast<u32>(31i)) != 0u);
 if _e747 {
-phi_1422_ = (~(_e735) + 1u);
+phi_1423_ = (~(_e735) + 1u);
 } else {
-phi_1422_ = _e735;
+phi_1423_ = _e735;
 }
-let _e753 = phi_1422_;
+let _e753 = phi_1423_;
 if _e747 {
-phi_1428_ = (~(_e744) + select(0u, 1u, (_e735 == 0u)));
+phi_1429_ = (~(_e744) + select(0u, 1u, (_e735 == 0u)));
 } else {
-phi_1428_ = _e744;
+phi_1429_ = _e744;
 }
-let _e757 = phi_1428_;
+let _e757 = phi_1429_;
 let _e779 = ((((f32(bitcast<i32>(((_e757 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e757 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e753 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e753 & 65535u)))));
 let _e785 = (_e635 + 4i);
 let _e787 = select(_e669, _e785, (_e785 < _e669));
@@ -439,17 +451,17 @@ let _e796 = select(_e669, _e794, (_e794 < _e669));
 let _e802 = global_4.member[bitcast<u32>(select(0i, _e796, (_e796 > 0i)))];
 let _e805 = ((_e802 >> bitcast<u32>(31i)) != 0u);
 if _e805 {
-phi_1490_ = (~(_e793) + 1u);
+phi_1491_ = (~(_e793) + 1u);
 } else {
-phi_1490_ = _e793;
+phi_1491_ = _e793;
 }
-let _e811 = phi_1490_;
+let _e811 = phi_1491_;
 if _e805 {
-phi_1496_ = (~(_e802) + select(0u, 1u, (_e793 == 0u)));
+phi_1497_ = (~(_e802) + select(0u, 1u, (_e793 == 0u)));
 } else {
-phi_1496_ = _e802;
+phi_1497_ = _e802;
 }
-let _e815 = phi_1496_;
+let _e815 = phi_1497_;
 let _e837 = ((((f32(bitcast<i32>(((_e815 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e815 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e811 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e811 & 65535u)))));
 let _e846 = ((select(1f, (((((_e307 * _e327) + (_e342 * _e284)) * _e436) + (((_e379 * _e327) + (_e411 * _e284)) * _e286)) * _e535), _e621) * _e620) + (select(_e721, -(bitcast<f32>((bitcast<u32>(_e721) & 2147483647u))), _e689) * _e667));
 let _e847 = ((select(1f, (((((_e316 * _e327) + (_e351 * _e284)) * _e436) + (((_e388 * _e327) + (_e420 * _e284)) * _e286)) * _e535), _e621) * _e620) + (select(_e779, -(bitcast<f32>((bitcast<u32>(_e779) & 2147483647u))), _e747) * _e667));

@@ -41,27 +41,78 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_14 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
 struct type_16 {
+member: array<f32>,
+}
+struct type_20 {
 member: array<u32>,
 }
-struct type_17 {
+struct type_21 {
 member: vec3<f32>,
 member_1: f32,
 }
-struct type_18 {
+struct type_22 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_19 {
+struct type_23 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -69,7 +120,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -87,7 +138,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_21 {
+struct type_25 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -98,115 +149,76 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
+struct type_26 {
 member: type_5,
 member_1: type_5,
 }
-struct type_23 {
-member: type_14,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_24 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_14,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_14,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_26 {
+struct type_27 {
 member: type_7,
 member_1: u32,
 }
-struct type_27 {
+struct type_28 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_14,
-member_4: type_14,
+member_2: type_22,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_19,
-member_8: type_20,
-member_9: type_20,
-member_10: type_21,
-member_11: type_22,
-member_12: type_25,
-member_13: type_19,
+member_7: type_23,
+member_8: type_24,
+member_9: type_24,
+member_10: type_25,
+member_11: type_26,
+member_12: type_14,
+member_13: type_23,
 member_14: type_4,
 member_15: type_9,
-member_16: type_26,
-member_17: type_26,
-member_18: type_26,
-member_19: type_26,
-member_20: type_5,
+member_16: type_27,
+member_17: type_27,
+member_18: type_27,
+member_19: type_27,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_28 {
-member: type_27,
+struct type_29 {
+member: type_28,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(4)
-var<storage, read_write> global_1: type_11;
+var<storage, read_write> global_1: type_16;
 @group(0) @binding(0)
-var<storage> global_2: type_28;
+var<storage> global_2: type_29;
 @group(0) @binding(2)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 @group(0) @binding(1)
-var<storage> global_4: type_16;
+var<storage> global_4: type_20;
 @group(0) @binding(3)
-var<storage> global_5: type_16;
+var<storage> global_5: type_20;
 fn function_() {
-var phi_1711_: u32;
 var phi_1712_: u32;
-var phi_275_: i32;
-var phi_452_: f32;
-var phi_486_: f32;
-var phi_521_: f32;
-var phi_556_: f32;
-var phi_666_: f32;
-var phi_720_: i32;
-var phi_764_: i32;
-var phi_890_: vec3<f32>;
-var phi_945_: i32;
-var phi_1074_: vec3<f32>;
-var phi_1109_: i32;
-var phi_1237_: vec3<f32>;
-var phi_1284_: i32;
-var phi_1412_: vec3<f32>;
-var phi_1448_: i32;
-var phi_1575_: vec3<f32>;
-var phi_1673_: i32;
-var phi_1820_: type_17;
+var phi_1713_: u32;
+var phi_276_: i32;
+var phi_453_: f32;
+var phi_487_: f32;
+var phi_522_: f32;
+var phi_557_: f32;
+var phi_667_: f32;
+var phi_721_: i32;
+var phi_765_: i32;
+var phi_891_: vec3<f32>;
+var phi_946_: i32;
+var phi_1075_: vec3<f32>;
+var phi_1110_: i32;
+var phi_1238_: vec3<f32>;
+var phi_1285_: i32;
+var phi_1413_: vec3<f32>;
+var phi_1449_: i32;
+var phi_1576_: vec3<f32>;
+var phi_1674_: i32;
+var phi_1821_: type_21;
 let _e51 = global;
 let _e55 = arrayLength((&global_3.member));
 let _e60 = global_2.member.member_2;
@@ -235,11 +247,11 @@ let _e230 = global_2.member.member_12.member_4.member_1;
 let _e231 = bitcast<i32>(_e230);
 let _e238 = ((((_e113 >= 0i) && (_e113 < _e225)) && (_e116 >= 0i)) && (_e116 < _e231));
 if _e238 {
-phi_275_ = ((_e116 * _e225) + _e113);
+phi_276_ = ((_e116 * _e225) + _e113);
 } else {
-phi_275_ = 0i;
+phi_276_ = 0i;
 }
-let _e242 = phi_275_;
+let _e242 = phi_276_;
 let _e243 = (_e225 * _e231);
 let _e245 = (bitcast<i32>(_e55) - 1i);
 let _e247 = select(_e245, _e242, (_e242 < _e245));
@@ -265,7 +277,7 @@ let _e316 = f32(_e116);
 let _e320 = global_2.member.member_12.member_3;
 let _e321 = (_e320 == 0u);
 if _e321 {
-phi_452_ = 1f;
+phi_453_ = 1f;
 } else {
 let _e325 = global_2.member.member_12.member_5;
 let _e329 = global_2.member.member_12.member_7;
@@ -274,12 +286,12 @@ let _e335 = global_2.member.member_12.member_6;
 let _e337 = (_e335 + (_e316 * _e329));
 let _e342 = (((_e331 * _e331) + (_e337 * _e337)) + (1f * 1f));
 let _e346 = (1f / sqrt(select(0f, _e342, (_e342 > 0f))));
-phi_452_ = ((_e346 * _e346) * _e346);
+phi_453_ = ((_e346 * _e346) * _e346);
 }
-let _e350 = phi_452_;
+let _e350 = phi_453_;
 let _e351 = (_e315 + 1f);
 if _e321 {
-phi_486_ = 1f;
+phi_487_ = 1f;
 } else {
 let _e355 = global_2.member.member_12.member_5;
 let _e359 = global_2.member.member_12.member_7;
@@ -288,12 +300,12 @@ let _e365 = global_2.member.member_12.member_6;
 let _e367 = (_e365 + (_e316 * _e359));
 let _e372 = (((_e361 * _e361) + (_e367 * _e367)) + (1f * 1f));
 let _e376 = (1f / sqrt(select(0f, _e372, (_e372 > 0f))));
-phi_486_ = ((_e376 * _e376) * _e376);
+phi_487_ = ((_e376 * _e376) * _e376);
 }
-let _e380 = phi_486_;
+let _e380 = phi_487_;
 let _e382 = (_e316 + 1f);
 if _e321 {
-phi_521_ = 1f;
+phi_522_ = 1f;
 } else {
 let _e386 = global_2.member.member_12.member_5;
 let _e390 = global_2.member.member_12.member_7;
@@ -302,11 +314,11 @@ let _e396 = global_2.member.member_12.member_6;
 let _e398 = (_e396 + (_e382 * _e390));
 let _e403 = (((_e392 * _e392) + (_e398 * _e398)) + (1f * 1f));
 let _e407 = (1f / sqrt(select(0f, _e403, (_e403 > 0f))));
-phi_521_ = ((_e407 * _e407) * _e407);
+phi_522_ = ((_e407 * _e407) * _e407);
 }
-let _e411 = phi_521_;
+let _e411 = phi_522_;
 if _e321 {
-phi_556_ = 1f;
+phi_557_ = 1f;
 } else {
 let _e415 = global_2.member.member_12.member_5;
 let _e419 = global_2.member.member_12.member_7;
@@ -315,12 +327,12 @@ let _e425 = global_2.member.member_12.member_6;
 let _e427 = (_e425 + (_e382 * _e419));
 let _e432 = (((_e421 * _e421) + (_e427 * _e427)) + (1f * 1f));
 let _e436 = (1f / sqrt(select(0f, _e432, (_e432 > 0f))));
-phi_556_ = ((_e436 * _e436) * _e436);
+phi_557_ = ((_e436 * _e436) * _e436);
 }
-let _e440 = phi_556_;
+let _e440 = phi_557_;
 let _e443 = (((_e350 + _e380) + (_e411 + _e440)) * 0.25f);
 if _e321 {
-phi_666_ = 1f;
+phi_667_ = 1f;
 } else {
 let _e449 = global_2.member.member_12.member_5;
 let _e453 = global_2.member.member_12.member_7;
@@ -338,9 +350,9 @@ let _e502 = global_2.member.member_12.member_20.member_2;
 let _e503 = ((_e496 - (sqrt(select(0f, _e485, (_e485 > 0f))) / select(1e-20f, _e474, (_e474 > 1e-20f)))) * _e502);
 let _e505 = select(0f, _e503, (_e503 > 0f));
 let _e507 = select(1f, _e505, (_e505 < 1f));
-phi_666_ = select(1f, select(0f, ((_e507 * _e507) * (3f - (2f * _e507))), (_e474 > 0f)), (_e502 > 0f));
+phi_667_ = select(1f, select(0f, ((_e507 * _e507) * (3f - (2f * _e507))), (_e474 > 0f)), (_e502 > 0f));
 }
-let _e517 = phi_666_;
+let _e517 = phi_667_;
 let _e519 = select((_e443 * _e517), 1f, _e238);
 let _e526 = global_2.member.member_12.member_15;
 let _e527 = bitcast<i32>(_e526);
@@ -353,23 +365,23 @@ let _e544 = global_2.member.member_12.member_14.member_1;
 let _e545 = bitcast<i32>(_e544);
 let _e550 = global_2.member.member_12.member_14.member_2;
 if ((((((_e531 >= 0i) && (_e531 < _e539)) && (_e533 >= 0i)) && (_e533 < _e545)) && (_e527 >= 0i)) && (_e527 < bitcast<i32>(_e550))) {
-phi_720_ = (((((_e527 * _e545) + _e533) * _e539) + _e531) * 3i);
+phi_721_ = (((((_e527 * _e545) + _e533) * _e539) + _e531) * 3i);
 } else {
-phi_720_ = -1i;
+phi_721_ = -1i;
 }
-let _e569 = phi_720_;
+let _e569 = phi_721_;
 let _e570 = (_e569 + 2i);
 let _e572 = select(_e95, _e570, (_e570 < _e95));
 let _e578 = global_5.member[bitcast<u32>(select(0i, _e572, (_e572 > 0i)))];
 let _e579 = bitcast<i32>(_e578);
 if ((_e569 < 0i) || (_e579 == 0i)) {
-phi_764_ = -1i;
+phi_765_ = -1i;
 } else {
 let _e594 = global_2.member.member_12.member_17.member;
 let _e599 = global_2.member.member_12.member_17.member_1;
-phi_764_ = (bitcast<i32>((_e594 * _e599)) + ((((_e579 - 1i) * 64i) + ((_e116 & 7i) * 8i)) + (_e113 & 7i)));
+phi_765_ = (bitcast<i32>((_e594 * _e599)) + ((((_e579 - 1i) * 64i) + ((_e116 & 7i) * 8i)) + (_e113 & 7i)));
 }
-let _e604 = phi_764_;
+let _e604 = phi_765_;
 let _e605 = (_e604 * 6i);
 let _e607 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e609 = select(_e607, _e605, (_e605 < _e607));
@@ -388,14 +400,14 @@ let _e644 = select(_e607, _e642, (_e642 < _e607));
 let _e650 = global_4.member[bitcast<u32>(select(0i, _e644, (_e644 > 0i)))];
 let _e660 = (((_e63.member_2 == 3u) || (_e63.member_2 == 4u)) || _e118);
 if _e660 {
-phi_890_ = vec3(_e630);
+phi_891_ = vec3(_e630);
 } else {
 let _e661 = (_e605 + 4i);
 let _e663 = select(_e607, _e661, (_e661 < _e607));
 let _e669 = global_4.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
-phi_890_ = vec3<f32>(_e630, f32((bitcast<i32>(_e625) - (_e616 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e669)));
+phi_891_ = vec3<f32>(_e630, f32((bitcast<i32>(_e625) - (_e616 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e669)));
 }
-let _e675 = phi_890_;
+let _e675 = phi_891_;
 let _e677 = select(0f, 1f, (_e604 >= 0i));
 let _e682 = (firstTrailingBit(4u) & 31u);
 let _e684 = (_e113 >> bitcast<u32>(_e682));
@@ -413,11 +425,11 @@ let _e714 = ((_e710 >= 0i) && (_e710 < _e703));
 let _e715 = (_e711 >= 0i);
 let _e717 = (_e711 < _e709);
 if ((_e714 && _e715) && _e717) {
-phi_945_ = ((_e711 * _e703) + _e710);
+phi_946_ = ((_e711 * _e703) + _e710);
 } else {
-phi_945_ = -1i;
+phi_946_ = -1i;
 }
-let _e722 = phi_945_;
+let _e722 = phi_946_;
 let _e723 = (1f - _e692);
 let _e724 = (1f - _e697);
 let _e726 = (_e722 * 6i);
@@ -436,23 +448,23 @@ let _e761 = (_e726 + 3i);
 let _e763 = select(_e607, _e761, (_e761 < _e607));
 let _e769 = global_4.member[bitcast<u32>(select(0i, _e763, (_e763 > 0i)))];
 if _e660 {
-phi_1074_ = vec3(_e749);
+phi_1075_ = vec3(_e749);
 } else {
 let _e776 = (_e726 + 4i);
 let _e778 = select(_e607, _e776, (_e776 < _e607));
 let _e784 = global_4.member[bitcast<u32>(select(0i, _e778, (_e778 > 0i)))];
-phi_1074_ = vec3<f32>(_e749, f32((bitcast<i32>(_e744) - (_e735 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e784)));
+phi_1075_ = vec3<f32>(_e749, f32((bitcast<i32>(_e744) - (_e735 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e784)));
 }
-let _e790 = phi_1074_;
+let _e790 = phi_1075_;
 let _e792 = select(0f, (_e723 * _e724), (_e722 >= 0i));
 let _e796 = (_e684 + 2i);
 let _e799 = ((_e796 >= 0i) && (_e796 < _e703));
 if ((_e799 && _e715) && _e717) {
-phi_1109_ = ((_e711 * _e703) + _e796);
+phi_1110_ = ((_e711 * _e703) + _e796);
 } else {
-phi_1109_ = -1i;
+phi_1110_ = -1i;
 }
-let _e805 = phi_1109_;
+let _e805 = phi_1110_;
 let _e807 = (_e805 * 6i);
 let _e809 = select(_e607, _e807, (_e807 < _e607));
 let _e815 = global_4.member[bitcast<u32>(select(0i, _e809, (_e809 > 0i)))];
@@ -469,24 +481,24 @@ let _e842 = (_e807 + 3i);
 let _e844 = select(_e607, _e842, (_e842 < _e607));
 let _e850 = global_4.member[bitcast<u32>(select(0i, _e844, (_e844 > 0i)))];
 if _e660 {
-phi_1237_ = vec3(_e830);
+phi_1238_ = vec3(_e830);
 } else {
 let _e857 = (_e807 + 4i);
 let _e859 = select(_e607, _e857, (_e857 < _e607));
 let _e865 = global_4.member[bitcast<u32>(select(0i, _e859, (_e859 > 0i)))];
-phi_1237_ = vec3<f32>(_e830, f32((bitcast<i32>(_e825) - (_e816 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e865)));
+phi_1238_ = vec3<f32>(_e830, f32((bitcast<i32>(_e825) - (_e816 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e865)));
 }
-let _e871 = phi_1237_;
+let _e871 = phi_1238_;
 let _e873 = select(0f, (_e692 * _e724), (_e805 >= 0i));
 let _e880 = (_e686 + 2i);
 let _e881 = (_e880 >= 0i);
 let _e883 = (_e880 < _e709);
 if ((_e714 && _e881) && _e883) {
-phi_1284_ = ((_e880 * _e703) + _e710);
+phi_1285_ = ((_e880 * _e703) + _e710);
 } else {
-phi_1284_ = -1i;
+phi_1285_ = -1i;
 }
-let _e888 = phi_1284_;
+let _e888 = phi_1285_;
 let _e890 = (_e888 * 6i);
 let _e892 = select(_e607, _e890, (_e890 < _e607));
 let _e898 = global_4.member[bitcast<u32>(select(0i, _e892, (_e892 > 0i)))];
@@ -503,21 +515,21 @@ let _e925 = (_e890 + 3i);
 let _e927 = select(_e607, _e925, (_e925 < _e607));
 let _e933 = global_4.member[bitcast<u32>(select(0i, _e927, (_e927 > 0i)))];
 if _e660 {
-phi_1412_ = vec3(_e913);
+phi_1413_ = vec3(_e913);
 } else {
 let _e940 = (_e890 + 4i);
 let _e942 = select(_e607, _e940, (_e940 < _e607));
 let _e948 = global_4.member[bitcast<u32>(select(0i, _e942, (_e942 > 0i)))];
-phi_1412_ = vec3<f32>(_e913, f32((bitcast<i32>(_e908) - (_e899 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e948)));
+phi_1413_ = vec3<f32>(_e913, f32((bitcast<i32>(_e908) - (_e899 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e948)));
 }
-let _e954 = phi_1412_;
+let _e954 = phi_1413_;
 let _e956 = select(0f, (_e723 * _e697), (_e888 >= 0i));
 if ((_e799 && _e881) && _e883) {
-phi_1448_ = ((_e880 * _e703) + _e796);
+phi_1449_ = ((_e880 * _e703) + _e796);
 } else {
-phi_1448_ = -1i;
+phi_1449_ = -1i;
 }
-let _e965 = phi_1448_;
+let _e965 = phi_1449_;
 let _e967 = (_e965 * 6i);
 let _e969 = select(_e607, _e967, (_e967 < _e607));
 let _e975 = global_4.member[bitcast<u32>(select(0i, _e969, (_e969 > 0i)))];
@@ -534,14 +546,14 @@ let _e1002 = (_e967 + 3i);
 let _e1004 = select(_e607, _e1002, (_e1002 < _e607));
 let _e1010 = global_4.member[bitcast<u32>(select(0i, _e1004, (_e1004 > 0i)))];
 if _e660 {
-phi_1575_ = vec3(_e990);
+phi_1576_ = vec3(_e990);
 } else {
 let _e1017 = (_e967 + 4i);
 let _e1019 = select(_e607, _e1017, (_e1017 < _e607));
 let _e1025 = global_4.member[bitcast<u32>(select(0i, _e1019, (_e1019 > 0i)))];
-phi_1575_ = vec3<f32>(_e990, f32((bitcast<i32>(_e985) - (_e976 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e1025)));
+phi_1576_ = vec3<f32>(_e990, f32((bitcast<i32>(_e985) - (_e976 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e1025)));
 }
-let _e1031 = phi_1575_;
+let _e1031 = phi_1576_;
 let _e1033 = select(0f, (_e692 * _e697), (_e965 >= 0i));
 let _e1043 = ((_e675 * _e677) + (((_e790 * _e792) + (_e871 * _e873)) + ((_e954 * _e956) + (_e1031 * _e1033))));
 let _e1049 = global_2.member.member_12.member_22;
@@ -561,35 +573,35 @@ let _e1107 = (2f * 16255f);
 let _e1109 = select(0f, _e1106, (_e1106 > 0f));
 let _e1111 = select(_e1107, _e1109, (_e1109 < _e1107));
 let _e1118 = select(0i, select(select(i32(_e1111), i32(-2147483648), (_e1111 < -2147483600f)), 2147483647i, (_e1111 > 2147483500f)), (_e1111 == _e1111));
-phi_1673_ = (32768i - (_e1118 - select(0i, 1i, (_e1111 < f32(_e1118)))));
+phi_1674_ = (32768i - (_e1118 - select(0i, 1i, (_e1111 < f32(_e1118)))));
 } else {
 let _e1084 = ((bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u)) * 16255f) + 0.5f);
 let _e1085 = (2f * 16255f);
 let _e1087 = select(0f, _e1084, (_e1084 > 0f));
 let _e1089 = select(_e1085, _e1087, (_e1087 < _e1085));
 let _e1096 = select(0i, select(select(i32(_e1089), i32(-2147483648), (_e1089 < -2147483600f)), 2147483647i, (_e1089 > 2147483500f)), (_e1089 == _e1089));
-phi_1673_ = (32768i + (_e1096 - select(0i, 1i, (_e1089 < f32(_e1096)))));
+phi_1674_ = (32768i + (_e1096 - select(0i, 1i, (_e1089 < f32(_e1096)))));
 }
-let _e1125 = phi_1673_;
+let _e1125 = phi_1674_;
 let _e1132 = ((bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) * 16255f) + 0.5f);
 let _e1133 = (2f * 16255f);
 let _e1135 = select(0f, _e1132, (_e1132 > 0f));
 let _e1137 = select(_e1133, _e1135, (_e1135 < _e1133));
 let _e1144 = select(0i, select(select(i32(_e1137), i32(-2147483648), (_e1137 < -2147483600f)), 2147483647i, (_e1137 > 2147483500f)), (_e1137 == _e1137));
-phi_1820_ = type_17(vec3<f32>((_e1057 * _e1074), (_e1058 * _e1074), (_e1059 * _e1074)), bitcast<f32>(((select(0u, 2147483648u, (_e1073 < 0f)) | (bitcast<u32>(((_e1144 - select(0i, 1i, (_e1137 < f32(_e1144)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1125))));
+phi_1821_ = type_21(vec3<f32>((_e1057 * _e1074), (_e1058 * _e1074), (_e1059 * _e1074)), bitcast<f32>(((select(0u, 2147483648u, (_e1073 < 0f)) | (bitcast<u32>(((_e1144 - select(0i, 1i, (_e1137 < f32(_e1144)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1125))));
 } else {
 let _e131 = global_2.member.member_12.member_4.member;
 let _e141 = global_2.member.member_12.member_4.member_1;
 let _e144 = ((((_e113 >= 0i) && (_e113 <= bitcast<i32>(_e131))) && (_e116 >= 0i)) && (_e116 <= bitcast<i32>(_e141)));
 if _e144 {
-phi_1711_ = bitcast<u32>(_e116);
-phi_1712_ = bitcast<u32>(_e113);
+phi_1712_ = bitcast<u32>(_e116);
+phi_1713_ = bitcast<u32>(_e113);
 } else {
-phi_1711_ = 0u;
 phi_1712_ = 0u;
+phi_1713_ = 0u;
 }
-let _e148 = phi_1711_;
-let _e150 = phi_1712_;
+let _e148 = phi_1712_;
+let _e150 = phi_1713_;
 let _e151 = (_e131 + 1u);
 let _e154 = bitcast<i32>((_e151 * (_e141 + 1u)));
 let _e159 = ((6i * _e154) + bitcast<i32>(((_e148 * _e151) + _e150)));
@@ -608,9 +620,9 @@ let _e197 = select(0f, _e194, (_e194 > 0f));
 let _e199 = select(_e195, _e197, (_e197 < _e195));
 let _e206 = select(0i, select(select(i32(_e199), i32(-2147483648), (_e199 < -2147483600f)), 2147483647i, (_e199 > 2147483500f)), (_e199 == _e199));
 let _e210 = (_e206 - select(0i, 1i, (_e199 < f32(_e206))));
-phi_1820_ = type_17(vec3<f32>(select(1f, _e169, _e144), select(1f, _e178, _e144), select(1f, _e188, _e144)), bitcast<f32>(((bitcast<u32>((_e210 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e210)))));
+phi_1821_ = type_21(vec3<f32>(select(1f, _e169, _e144), select(1f, _e178, _e144), select(1f, _e188, _e144)), bitcast<f32>(((bitcast<u32>((_e210 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e210)))));
 }
-let _e1159 = phi_1820_;
+let _e1159 = phi_1821_;
 global_1.member[((_e72 * _e63.member) + _e70)] = _e1159.member.x;
 }
 }

@@ -41,20 +41,71 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_14 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
-struct type_15 {
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_16 {
+member: array<f32>,
+}
+struct type_19 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_16 {
+struct type_20 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -62,7 +113,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_17 {
+struct type_21 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -80,7 +131,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_18 {
+struct type_22 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,91 +142,52 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_19 {
+struct type_23 {
 member: type_5,
 member_1: type_5,
 }
-struct type_20 {
-member: type_14,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_21 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_22 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_14,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_14,
-member_18: type_20,
-member_19: type_5,
-member_20: type_21,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_23 {
+struct type_24 {
 member: type_7,
 member_1: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
 member_1: u32,
-member_2: type_15,
-member_3: type_14,
-member_4: type_14,
+member_2: type_19,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_16,
-member_8: type_17,
-member_9: type_17,
-member_10: type_18,
-member_11: type_19,
-member_12: type_22,
-member_13: type_16,
+member_7: type_20,
+member_8: type_21,
+member_9: type_21,
+member_10: type_22,
+member_11: type_23,
+member_12: type_14,
+member_13: type_20,
 member_14: type_4,
 member_15: type_9,
-member_16: type_23,
-member_17: type_23,
-member_18: type_23,
-member_19: type_23,
-member_20: type_5,
+member_16: type_24,
+member_17: type_24,
+member_18: type_24,
+member_19: type_24,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_25 {
-member: type_24,
+struct type_26 {
+member: type_25,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_25;
+var<storage> global_1: type_26;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_16;
 @group(0) @binding(1)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 fn function_() {
-var phi_926_: i32;
+var phi_927_: i32;
 let _e34 = global;
 let _e39 = global_1.member.member_2;
 let _e42 = global_1.member.member;
@@ -301,16 +313,16 @@ let _e426 = (2f * 16255f);
 let _e428 = select(0f, _e425, (_e425 > 0f));
 let _e430 = select(_e426, _e428, (_e428 < _e426));
 let _e437 = select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430));
-phi_926_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
+phi_927_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
 } else {
 let _e447 = ((bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) * 16255f) + 0.5f);
 let _e448 = (2f * 16255f);
 let _e450 = select(0f, _e447, (_e447 > 0f));
 let _e452 = select(_e448, _e450, (_e450 < _e448));
 let _e459 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452));
-phi_926_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
+phi_927_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
 }
-let _e466 = phi_926_;
+let _e466 = phi_927_;
 let _e473 = ((bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 16255f) + 0.5f);
 let _e474 = (2f * 16255f);
 let _e476 = select(0f, _e473, (_e473 > 0f));

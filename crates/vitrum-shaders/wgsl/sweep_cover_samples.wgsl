@@ -41,23 +41,74 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_13 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
-struct type_15 {
-member: array<u32>,
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
 struct type_16 {
+member: array<f32>,
+}
+struct type_19 {
+member: array<u32>,
+}
+struct type_20 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,7 +116,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -83,7 +134,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_19 {
+struct type_23 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -94,91 +145,52 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_5,
 member_1: type_5,
 }
-struct type_21 {
-member: type_13,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_22 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_23 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_13,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_13,
-member_18: type_21,
-member_19: type_5,
-member_20: type_22,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_13,
-member_4: type_13,
+member_2: type_20,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_17,
-member_8: type_18,
-member_9: type_18,
-member_10: type_19,
-member_11: type_20,
-member_12: type_23,
-member_13: type_17,
+member_7: type_21,
+member_8: type_22,
+member_9: type_22,
+member_10: type_23,
+member_11: type_24,
+member_12: type_14,
+member_13: type_21,
 member_14: type_4,
 member_15: type_9,
-member_16: type_24,
-member_17: type_24,
-member_18: type_24,
-member_19: type_24,
-member_20: type_5,
+member_16: type_25,
+member_17: type_25,
+member_18: type_25,
+member_19: type_25,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_26 {
-member: type_25,
+struct type_27 {
+member: type_26,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_26;
+var<storage> global_1: type_27;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_16;
 @group(0) @binding(1)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 @group(0) @binding(2)
-var<storage> global_4: type_15;
+var<storage> global_4: type_19;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -188,14 +200,14 @@ var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_1246_: i32;
-var phi_1290_: i32;
-var phi_1335_: i32;
-var phi_1379_: i32;
-var phi_1424_: i32;
-var phi_1468_: i32;
-var phi_1513_: i32;
-var phi_1557_: i32;
+var phi_1247_: i32;
+var phi_1291_: i32;
+var phi_1336_: i32;
+var phi_1380_: i32;
+var phi_1425_: i32;
+var phi_1469_: i32;
+var phi_1514_: i32;
+var phi_1558_: i32;
 let _e51 = global;
 let _e59 = global_1.member.member_2;
 let _e62 = global_1.member.member;
@@ -424,11 +436,11 @@ let _e587 = (_e563 < _e575);
 let _e589 = (_e557 >= 0i);
 let _e591 = (_e557 < bitcast<i32>(_e580));
 if ((((_e584 && _e585) && _e587) && _e589) && _e591) {
-phi_1246_ = (((((_e557 * _e575) + _e563) * _e569) + _e561) * 3i);
+phi_1247_ = (((((_e557 * _e575) + _e563) * _e569) + _e561) * 3i);
 } else {
-phi_1246_ = -1i;
+phi_1247_ = -1i;
 }
-let _e599 = phi_1246_;
+let _e599 = phi_1247_;
 let _e600 = (_e599 + 2i);
 let _e602 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e604 = select(_e602, _e600, (_e600 < _e602));
@@ -437,74 +449,74 @@ let _e611 = bitcast<i32>(_e610);
 let _e615 = ((_e530 & 7i) * 8i);
 let _e617 = (_e499 & 7i);
 if ((_e599 < 0i) || (_e611 == 0i)) {
-phi_1290_ = -1i;
+phi_1291_ = -1i;
 } else {
 let _e626 = global_1.member.member_12.member_17.member;
 let _e631 = global_1.member.member_12.member_17.member_1;
-phi_1290_ = (bitcast<i32>((_e626 * _e631)) + ((((_e611 - 1i) * 64i) + _e615) + _e617));
+phi_1291_ = (bitcast<i32>((_e626 * _e631)) + ((((_e611 - 1i) * 64i) + _e615) + _e617));
 }
-let _e636 = phi_1290_;
+let _e636 = phi_1291_;
 let _e640 = (_e515 >> bitcast<u32>(_e559));
 let _e643 = ((_e640 >= 0i) && (_e640 < _e569));
 if ((((_e643 && _e585) && _e587) && _e589) && _e591) {
-phi_1335_ = (((((_e557 * _e575) + _e563) * _e569) + _e640) * 3i);
+phi_1336_ = (((((_e557 * _e575) + _e563) * _e569) + _e640) * 3i);
 } else {
-phi_1335_ = -1i;
+phi_1336_ = -1i;
 }
-let _e654 = phi_1335_;
+let _e654 = phi_1336_;
 let _e655 = (_e654 + 2i);
 let _e657 = select(_e602, _e655, (_e655 < _e602));
 let _e663 = global_4.member[bitcast<u32>(select(0i, _e657, (_e657 > 0i)))];
 let _e664 = bitcast<i32>(_e663);
 let _e668 = (_e515 & 7i);
 if ((_e654 < 0i) || (_e664 == 0i)) {
-phi_1379_ = -1i;
+phi_1380_ = -1i;
 } else {
 let _e677 = global_1.member.member_12.member_17.member;
 let _e682 = global_1.member.member_12.member_17.member_1;
-phi_1379_ = (bitcast<i32>((_e677 * _e682)) + ((((_e664 - 1i) * 64i) + _e615) + _e668));
+phi_1380_ = (bitcast<i32>((_e677 * _e682)) + ((((_e664 - 1i) * 64i) + _e615) + _e668));
 }
-let _e687 = phi_1379_;
+let _e687 = phi_1380_;
 let _e691 = (_e546 >> bitcast<u32>(_e559));
 let _e692 = (_e691 >= 0i);
 let _e694 = (_e691 < _e575);
 if ((((_e584 && _e692) && _e694) && _e589) && _e591) {
-phi_1424_ = (((((_e557 * _e575) + _e691) * _e569) + _e561) * 3i);
+phi_1425_ = (((((_e557 * _e575) + _e691) * _e569) + _e561) * 3i);
 } else {
-phi_1424_ = -1i;
+phi_1425_ = -1i;
 }
-let _e704 = phi_1424_;
+let _e704 = phi_1425_;
 let _e705 = (_e704 + 2i);
 let _e707 = select(_e602, _e705, (_e705 < _e602));
 let _e713 = global_4.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
 let _e714 = bitcast<i32>(_e713);
 let _e718 = ((_e546 & 7i) * 8i);
 if ((_e704 < 0i) || (_e714 == 0i)) {
-phi_1468_ = -1i;
+phi_1469_ = -1i;
 } else {
 let _e728 = global_1.member.member_12.member_17.member;
 let _e733 = global_1.member.member_12.member_17.member_1;
-phi_1468_ = (bitcast<i32>((_e728 * _e733)) + ((((_e714 - 1i) * 64i) + _e718) + _e617));
+phi_1469_ = (bitcast<i32>((_e728 * _e733)) + ((((_e714 - 1i) * 64i) + _e718) + _e617));
 }
-let _e738 = phi_1468_;
+let _e738 = phi_1469_;
 if ((((_e643 && _e692) && _e694) && _e589) && _e591) {
-phi_1513_ = (((((_e557 * _e575) + _e691) * _e569) + _e640) * 3i);
+phi_1514_ = (((((_e557 * _e575) + _e691) * _e569) + _e640) * 3i);
 } else {
-phi_1513_ = -1i;
+phi_1514_ = -1i;
 }
-let _e751 = phi_1513_;
+let _e751 = phi_1514_;
 let _e752 = (_e751 + 2i);
 let _e754 = select(_e602, _e752, (_e752 < _e602));
 let _e760 = global_4.member[bitcast<u32>(select(0i, _e754, (_e754 > 0i)))];
 let _e761 = bitcast<i32>(_e760);
 if ((_e751 < 0i) || (_e761 == 0i)) {
-phi_1557_ = -1i;
+phi_1558_ = -1i;
 } else {
 let _e773 = global_1.member.member_12.member_17.member;
 let _e778 = global_1.member.member_12.member_17.member_1;
-phi_1557_ = (bitcast<i32>((_e773 * _e778)) + ((((_e761 - 1i) * 64i) + _e718) + _e668));
+phi_1558_ = (bitcast<i32>((_e773 * _e778)) + ((((_e761 - 1i) * 64i) + _e718) + _e668));
 }
-let _e783 = phi_1557_;
+let _e783 = phi_1558_;
 let _e786 = (!((select(_e477, _e479, (_e479 > _e477)) <= 0f)) && ((((!((((_e515 - _e499) <= 8i) && ((_e546 - _e530) <= 8i))) || (_e636 >= 0i)) || (_e687 >= 0i)) || (_e738 >= 0i)) || (_e783 >= 0i)));
 let _e787 = select(0f, _e475, _e786);
 let _e788 = select(0f, _e476, _e786);

@@ -41,20 +41,71 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_13 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
 struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_16 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_15 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -62,7 +113,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_16 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -80,7 +131,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_17 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,83 +142,44 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_5,
 member_1: type_5,
 }
-struct type_19 {
-member: type_13,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_20 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_21 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_13,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_13,
-member_18: type_19,
-member_19: type_5,
-member_20: type_20,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_22 {
+struct type_23 {
 member: type_7,
 member_1: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_14,
-member_3: type_13,
-member_4: type_13,
+member_2: type_18,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_15,
-member_8: type_16,
-member_9: type_16,
-member_10: type_17,
-member_11: type_18,
-member_12: type_21,
-member_13: type_15,
+member_7: type_19,
+member_8: type_20,
+member_9: type_20,
+member_10: type_21,
+member_11: type_22,
+member_12: type_14,
+member_13: type_19,
 member_14: type_4,
 member_15: type_9,
-member_16: type_22,
-member_17: type_22,
-member_18: type_22,
-member_19: type_22,
-member_20: type_5,
+member_16: type_23,
+member_17: type_23,
+member_18: type_23,
+member_19: type_23,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_24 {
-member: type_23,
-}
 struct type_25 {
+member: type_24,
+}
+struct type_26 {
 member: i32,
 member_1: i32,
 member_2: f32,
@@ -175,19 +187,19 @@ member_3: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_24;
+var<storage> global_1: type_25;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_16;
 @group(0) @binding(1)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 fn function_() {
 var local: u32;
 var local_1: i32;
-var local_2: type_25;
-var local_3: type_25;
-var local_4: type_25;
-var phi_1575_: f32;
+var local_2: type_26;
+var local_3: type_26;
+var local_4: type_26;
 var phi_1576_: f32;
+var phi_1577_: f32;
 let _e33 = global;
 let _e40 = global_1.member.member_2;
 let _e43 = global_1.member.member;
@@ -230,9 +242,9 @@ let _e170 = select(_e69, _e153, (_e153 > _e69));
 let _e172 = select(32768f, _e170, (_e170 < 32768f));
 let _e179 = select(0i, select(select(i32(_e172), i32(-2147483648), (_e172 < -2147483600f)), 2147483647i, (_e172 > 2147483500f)), (_e172 == _e172));
 let _e183 = (_e179 - select(0i, 1i, (_e172 < f32(_e179))));
-local_2 = type_25(_e84, _e99, (_e64 - f32(_e84)), (_e68 - f32(_e99)));
-local_3 = type_25(_e126, _e141, (_e107 - f32(_e126)), (_e111 - f32(_e141)));
-local_4 = type_25(_e168, _e183, (_e149 - f32(_e168)), (_e153 - f32(_e183)));
+local_2 = type_26(_e84, _e99, (_e64 - f32(_e84)), (_e68 - f32(_e99)));
+local_3 = type_26(_e126, _e141, (_e107 - f32(_e126)), (_e111 - f32(_e141)));
+local_4 = type_26(_e168, _e183, (_e149 - f32(_e168)), (_e153 - f32(_e183)));
 let _e191 = local;
 let _e192 = local_1;
 let _e195 = global_1.member.member_10.member;
@@ -318,8 +330,8 @@ let _e398 = (_e340 + _e397);
 let _e410 = (1f / 3f);
 let _e412 = (_e270 + (((select(1f, (_e317 + (((_e304 + ((_e312 - _e304) * _e318)) - _e317) * _e323)), ((((_e328 >= 0i) && (_e328 < _e260)) && (_e330 >= 0i)) && (_e330 < _e267))) - _e270) + (select(1f, (_e385 + (((_e372 + ((_e380 - _e372) * _e386)) - _e385) * _e391)), ((((_e396 >= 0i) && (_e396 < _e260)) && (_e398 >= 0i)) && (_e398 < _e267))) - _e270)) * _e410));
 if (((_e43.member_2 == 3u) || (_e43.member_2 == 4u)) || (_e43.member_2 == 5u)) {
-phi_1575_ = _e412;
 phi_1576_ = _e412;
+phi_1577_ = _e412;
 } else {
 let _e418 = local;
 let _e419 = local_1;
@@ -475,11 +487,11 @@ let _e804 = local_4.member;
 let _e805 = (_e759 + _e804);
 let _e806 = local_4.member_1;
 let _e807 = (_e752 + _e806);
-phi_1575_ = (_e685 + (((select(1f, (_e730 + (((_e718 + ((_e726 - _e718) * _e731)) - _e730) * _e735)), ((((_e740 >= 0i) && (_e740 < _e260)) && (_e742 >= 0i)) && (_e742 < _e267))) - _e685) + (select(1f, (_e795 + (((_e783 + ((_e791 - _e783) * _e796)) - _e795) * _e800)), ((((_e805 >= 0i) && (_e805 < _e260)) && (_e807 >= 0i)) && (_e807 < _e267))) - _e685)) * _e410));
-phi_1576_ = (_e484 + (((select(1f, (_e529 + (((_e517 + ((_e525 - _e517) * _e530)) - _e529) * _e534)), ((((_e539 >= 0i) && (_e539 < _e260)) && (_e541 >= 0i)) && (_e541 < _e267))) - _e484) + (select(1f, (_e594 + (((_e582 + ((_e590 - _e582) * _e595)) - _e594) * _e599)), ((((_e604 >= 0i) && (_e604 < _e260)) && (_e606 >= 0i)) && (_e606 < _e267))) - _e484)) * _e410));
+phi_1576_ = (_e685 + (((select(1f, (_e730 + (((_e718 + ((_e726 - _e718) * _e731)) - _e730) * _e735)), ((((_e740 >= 0i) && (_e740 < _e260)) && (_e742 >= 0i)) && (_e742 < _e267))) - _e685) + (select(1f, (_e795 + (((_e783 + ((_e791 - _e783) * _e796)) - _e795) * _e800)), ((((_e805 >= 0i) && (_e805 < _e260)) && (_e807 >= 0i)) && (_e807 < _e267))) - _e685)) * _e410));
+phi_1577_ = (_e484 + (((select(1f, (_e529 + (((_e517 + ((_e525 - _e517) * _e530)) - _e529) * _e534)), ((((_e539 >= 0i) && (_e539 < _e260)) && (_e541 >= 0i)) && (_e541 < _e267))) - _e484) + (select(1f, (_e594 + (((_e582 + ((_e590 - _e582) * _e595)) - _e594) * _e599)), ((((_e604 >= 0i) && (_e604 < _e260)) && (_e606 >= 0i)) && (_e606 < _e267))) - _e484)) * _e410));
 }
-let _e822 = phi_1575_;
-let _e824 = phi_1576_;
+let _e822 = phi_1576_;
+let _e824 = phi_1577_;
 let _e829 = global_1.member.member_11.member.member;
 let _e830 = local;
 let _e831 = local_1;

@@ -41,20 +41,71 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
 struct type_16 {
+member: array<f32>,
+}
+struct type_20 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -62,7 +113,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -80,7 +131,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_19 {
+struct type_23 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,89 +142,50 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_5,
 member_1: type_5,
 }
-struct type_21 {
-member: type_15,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_22 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_23 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_15,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_15,
-member_18: type_21,
-member_19: type_5,
-member_20: type_22,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_15,
-member_4: type_15,
+member_2: type_20,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_17,
-member_8: type_18,
-member_9: type_18,
-member_10: type_19,
-member_11: type_20,
-member_12: type_23,
-member_13: type_17,
+member_7: type_21,
+member_8: type_22,
+member_9: type_22,
+member_10: type_23,
+member_11: type_24,
+member_12: type_14,
+member_13: type_21,
 member_14: type_4,
 member_15: type_9,
-member_16: type_24,
-member_17: type_24,
-member_18: type_24,
-member_19: type_24,
-member_20: type_5,
+member_16: type_25,
+member_17: type_25,
+member_18: type_25,
+member_19: type_25,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_26 {
-member: type_25,
-}
 struct type_27 {
+member: type_26,
+}
+struct type_28 {
 member: u32,
 member_1: u32,
 member_2: f32,
 member_3: f32,
 }
-struct type_28 {
+struct type_29 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,54 +194,54 @@ member_4: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_26;
+var<storage> global_1: type_27;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_16;
 @group(0) @binding(1)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 @group(0) @binding(2)
-var<storage> global_4: type_11;
+var<storage> global_4: type_16;
 fn function_() {
-var local: type_27;
-var phi_271_: i32;
-var phi_314_: i32;
-var phi_507_: i32;
-var phi_550_: i32;
-var phi_740_: i32;
-var phi_783_: i32;
-var phi_918_: f32;
+var local: type_28;
+var phi_272_: i32;
+var phi_315_: i32;
+var phi_508_: i32;
+var phi_551_: i32;
+var phi_741_: i32;
+var phi_784_: i32;
 var phi_919_: f32;
-var phi_978_: i32;
-var phi_1021_: i32;
-var phi_1214_: i32;
-var phi_1257_: i32;
-var phi_1450_: i32;
-var phi_1493_: i32;
-var phi_1683_: i32;
-var phi_1726_: i32;
-var phi_1916_: i32;
-var phi_1959_: i32;
-var phi_2149_: i32;
-var phi_2192_: i32;
-var phi_3967_: f32;
+var phi_920_: f32;
+var phi_979_: i32;
+var phi_1022_: i32;
+var phi_1215_: i32;
+var phi_1258_: i32;
+var phi_1451_: i32;
+var phi_1494_: i32;
+var phi_1684_: i32;
+var phi_1727_: i32;
+var phi_1917_: i32;
+var phi_1960_: i32;
+var phi_2150_: i32;
+var phi_2193_: i32;
 var phi_3968_: f32;
-var phi_4890_: f32;
+var phi_3969_: f32;
 var phi_4891_: f32;
-var phi_5813_: f32;
+var phi_4892_: f32;
 var phi_5814_: f32;
-var phi_6736_: f32;
+var phi_5815_: f32;
 var phi_6737_: f32;
-var phi_7659_: f32;
+var phi_6738_: f32;
 var phi_7660_: f32;
-var phi_8582_: f32;
+var phi_7661_: f32;
 var phi_8583_: f32;
-var phi_9505_: f32;
+var phi_8584_: f32;
 var phi_9506_: f32;
-var phi_10428_: f32;
+var phi_9507_: f32;
 var phi_10429_: f32;
-var phi_11351_: f32;
+var phi_10430_: f32;
 var phi_11352_: f32;
-var phi_11363_: type_28;
+var phi_11353_: f32;
+var phi_11364_: type_29;
 let _e43 = global;
 let _e53 = global_1.member.member_2;
 let _e56 = global_1.member.member;
@@ -271,11 +283,11 @@ let _e143 = (_e139 - select(0i, 1i, (_e132 < f32(_e139))));
 let _e145 = (_e127 - f32(_e143));
 let _e146 = (_e143 < 0i);
 if _e146 {
-phi_271_ = (_e143 + 1i);
+phi_272_ = (_e143 + 1i);
 } else {
-phi_271_ = _e143;
+phi_272_ = _e143;
 }
-let _e149 = phi_271_;
+let _e149 = phi_272_;
 let _e150 = select(1i, -1i, _e146);
 let _e152 = select(_e145, (1f - _e145), _e146);
 let _e153 = local.member_3;
@@ -286,11 +298,11 @@ let _e168 = (_e164 - select(0i, 1i, (_e157 < f32(_e164))));
 let _e170 = (_e153 - f32(_e168));
 let _e171 = (_e168 < 0i);
 if _e171 {
-phi_314_ = (_e168 + 1i);
+phi_315_ = (_e168 + 1i);
 } else {
-phi_314_ = _e168;
+phi_315_ = _e168;
 }
-let _e174 = phi_314_;
+let _e174 = phi_315_;
 let _e180 = local.member;
 let _e183 = (((_e126 + (_e174 * _e121)) + bitcast<i32>(_e180)) + _e149);
 let _e185 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
@@ -318,8 +330,8 @@ let _e241 = global_1.member.member_10.member_1;
 let _e244 = (f32(bitcast<i32>(_e241)) - 1f);
 let _e255 = select(1f, (_e203 + (((_e217 + ((_e225 - _e217) * _e152)) - _e203) * select(_e170, (1f - _e170), _e171))), ((((_e233 >= 0f) && (_e233 <= _e240)) && (_e238 >= 0f)) && (_e238 <= _e244)));
 if _e117 {
-phi_918_ = _e255;
 phi_919_ = _e255;
+phi_920_ = _e255;
 } else {
 let _e257 = bitcast<i32>((_e120 * _e241));
 let _e258 = local.member_1;
@@ -332,11 +344,11 @@ let _e277 = (_e273 - select(0i, 1i, (_e266 < f32(_e273))));
 let _e279 = (_e262 - f32(_e277));
 let _e280 = (_e277 < 0i);
 if _e280 {
-phi_507_ = (_e277 + 1i);
+phi_508_ = (_e277 + 1i);
 } else {
-phi_507_ = _e277;
+phi_508_ = _e277;
 }
-let _e283 = phi_507_;
+let _e283 = phi_508_;
 let _e284 = select(1i, -1i, _e280);
 let _e286 = select(_e279, (1f - _e279), _e280);
 let _e287 = local.member_3;
@@ -347,11 +359,11 @@ let _e302 = (_e298 - select(0i, 1i, (_e291 < f32(_e298))));
 let _e304 = (_e287 - f32(_e302));
 let _e305 = (_e302 < 0i);
 if _e305 {
-phi_550_ = (_e302 + 1i);
+phi_551_ = (_e302 + 1i);
 } else {
-phi_550_ = _e302;
+phi_551_ = _e302;
 }
-let _e308 = phi_550_;
+let _e308 = phi_551_;
 let _e314 = local.member;
 let _e317 = (((_e261 + (_e308 * _e121)) + bitcast<i32>(_e314)) + _e283);
 let _e319 = select(_e185, _e317, (_e317 < _e185));
@@ -383,11 +395,11 @@ let _e402 = (_e398 - select(0i, 1i, (_e391 < f32(_e398))));
 let _e404 = (_e387 - f32(_e402));
 let _e405 = (_e402 < 0i);
 if _e405 {
-phi_740_ = (_e402 + 1i);
+phi_741_ = (_e402 + 1i);
 } else {
-phi_740_ = _e402;
+phi_741_ = _e402;
 }
-let _e408 = phi_740_;
+let _e408 = phi_741_;
 let _e409 = select(1i, -1i, _e405);
 let _e411 = select(_e404, (1f - _e404), _e405);
 let _e412 = local.member_3;
@@ -398,11 +410,11 @@ let _e427 = (_e423 - select(0i, 1i, (_e416 < f32(_e423))));
 let _e429 = (_e412 - f32(_e427));
 let _e430 = (_e427 < 0i);
 if _e430 {
-phi_783_ = (_e427 + 1i);
+phi_784_ = (_e427 + 1i);
 } else {
-phi_783_ = _e427;
+phi_784_ = _e427;
 }
-let _e433 = phi_783_;
+let _e433 = phi_784_;
 let _e439 = local.member;
 let _e442 = (((_e386 + (_e433 * _e121)) + bitcast<i32>(_e439)) + _e408);
 let _e444 = select(_e185, _e442, (_e442 < _e185));
@@ -424,11 +436,11 @@ let _e490 = (f32(bitcast<i32>(_e486)) + _e489);
 let _e491 = local.member_1;
 let _e494 = local.member_3;
 let _e495 = (f32(bitcast<i32>(_e491)) + _e494);
-phi_918_ = select(1f, (_e460 + (((_e474 + ((_e482 - _e474) * _e411)) - _e460) * select(_e429, (1f - _e429), _e430))), ((((_e490 >= 0f) && (_e490 <= _e240)) && (_e495 >= 0f)) && (_e495 <= _e244)));
-phi_919_ = select(1f, (_e335 + (((_e349 + ((_e357 - _e349) * _e286)) - _e335) * select(_e304, (1f - _e304), _e305))), ((((_e365 >= 0f) && (_e365 <= _e240)) && (_e370 >= 0f)) && (_e370 <= _e244)));
+phi_919_ = select(1f, (_e460 + (((_e474 + ((_e482 - _e474) * _e411)) - _e460) * select(_e429, (1f - _e429), _e430))), ((((_e490 >= 0f) && (_e490 <= _e240)) && (_e495 >= 0f)) && (_e495 <= _e244)));
+phi_920_ = select(1f, (_e335 + (((_e349 + ((_e357 - _e349) * _e286)) - _e335) * select(_e304, (1f - _e304), _e305))), ((((_e365 >= 0f) && (_e365 <= _e240)) && (_e370 >= 0f)) && (_e370 <= _e244)));
 }
-let _e508 = phi_918_;
-let _e510 = phi_919_;
+let _e508 = phi_919_;
+let _e510 = phi_920_;
 let _e515 = global_1.member.member_11.member.member;
 let _e517 = bitcast<i32>((_e120 * _e241));
 let _e519 = local.member_1;
@@ -441,11 +453,11 @@ let _e538 = (_e534 - select(0i, 1i, (_e527 < f32(_e534))));
 let _e540 = (_e523 - f32(_e538));
 let _e541 = (_e538 < 0i);
 if _e541 {
-phi_978_ = (_e538 + 1i);
+phi_979_ = (_e538 + 1i);
 } else {
-phi_978_ = _e538;
+phi_979_ = _e538;
 }
-let _e544 = phi_978_;
+let _e544 = phi_979_;
 let _e545 = select(1i, -1i, _e541);
 let _e547 = select(_e540, (1f - _e540), _e541);
 let _e548 = local.member_3;
@@ -456,11 +468,11 @@ let _e563 = (_e559 - select(0i, 1i, (_e552 < f32(_e559))));
 let _e565 = (_e548 - f32(_e563));
 let _e566 = (_e563 < 0i);
 if _e566 {
-phi_1021_ = (_e563 + 1i);
+phi_1022_ = (_e563 + 1i);
 } else {
-phi_1021_ = _e563;
+phi_1022_ = _e563;
 }
-let _e569 = phi_1021_;
+let _e569 = phi_1022_;
 let _e575 = local.member;
 let _e578 = (((_e522 + (_e569 * _e121)) + bitcast<i32>(_e575)) + _e544);
 let _e580 = select(_e185, _e578, (_e578 < _e185));
@@ -493,11 +505,11 @@ let _e668 = (_e664 - select(0i, 1i, (_e657 < f32(_e664))));
 let _e670 = (_e653 - f32(_e668));
 let _e671 = (_e668 < 0i);
 if _e671 {
-phi_1214_ = (_e668 + 1i);
+phi_1215_ = (_e668 + 1i);
 } else {
-phi_1214_ = _e668;
+phi_1215_ = _e668;
 }
-let _e674 = phi_1214_;
+let _e674 = phi_1215_;
 let _e675 = select(1i, -1i, _e671);
 let _e677 = select(_e670, (1f - _e670), _e671);
 let _e678 = local.member_3;
@@ -508,11 +520,11 @@ let _e693 = (_e689 - select(0i, 1i, (_e682 < f32(_e689))));
 let _e695 = (_e678 - f32(_e693));
 let _e696 = (_e693 < 0i);
 if _e696 {
-phi_1257_ = (_e693 + 1i);
+phi_1258_ = (_e693 + 1i);
 } else {
-phi_1257_ = _e693;
+phi_1258_ = _e693;
 }
-let _e699 = phi_1257_;
+let _e699 = phi_1258_;
 let _e705 = local.member;
 let _e708 = (((_e652 + (_e699 * _e121)) + bitcast<i32>(_e705)) + _e674);
 let _e710 = select(_e185, _e708, (_e708 < _e185));
@@ -545,11 +557,11 @@ let _e798 = (_e794 - select(0i, 1i, (_e787 < f32(_e794))));
 let _e800 = (_e783 - f32(_e798));
 let _e801 = (_e798 < 0i);
 if _e801 {
-phi_1450_ = (_e798 + 1i);
+phi_1451_ = (_e798 + 1i);
 } else {
-phi_1450_ = _e798;
+phi_1451_ = _e798;
 }
-let _e804 = phi_1450_;
+let _e804 = phi_1451_;
 let _e805 = select(1i, -1i, _e801);
 let _e807 = select(_e800, (1f - _e800), _e801);
 let _e808 = local.member_3;
@@ -560,11 +572,11 @@ let _e823 = (_e819 - select(0i, 1i, (_e812 < f32(_e819))));
 let _e825 = (_e808 - f32(_e823));
 let _e826 = (_e823 < 0i);
 if _e826 {
-phi_1493_ = (_e823 + 1i);
+phi_1494_ = (_e823 + 1i);
 } else {
-phi_1493_ = _e823;
+phi_1494_ = _e823;
 }
-let _e829 = phi_1493_;
+let _e829 = phi_1494_;
 let _e835 = local.member;
 let _e838 = (((_e782 + (_e829 * _e121)) + bitcast<i32>(_e835)) + _e804);
 let _e840 = select(_e185, _e838, (_e838 < _e185));
@@ -596,11 +608,11 @@ let _e923 = (_e919 - select(0i, 1i, (_e912 < f32(_e919))));
 let _e925 = (_e908 - f32(_e923));
 let _e926 = (_e923 < 0i);
 if _e926 {
-phi_1683_ = (_e923 + 1i);
+phi_1684_ = (_e923 + 1i);
 } else {
-phi_1683_ = _e923;
+phi_1684_ = _e923;
 }
-let _e929 = phi_1683_;
+let _e929 = phi_1684_;
 let _e930 = select(1i, -1i, _e926);
 let _e932 = select(_e925, (1f - _e925), _e926);
 let _e933 = local.member_3;
@@ -611,11 +623,11 @@ let _e948 = (_e944 - select(0i, 1i, (_e937 < f32(_e944))));
 let _e950 = (_e933 - f32(_e948));
 let _e951 = (_e948 < 0i);
 if _e951 {
-phi_1726_ = (_e948 + 1i);
+phi_1727_ = (_e948 + 1i);
 } else {
-phi_1726_ = _e948;
+phi_1727_ = _e948;
 }
-let _e954 = phi_1726_;
+let _e954 = phi_1727_;
 let _e960 = local.member;
 let _e963 = (((_e907 + (_e954 * _e121)) + bitcast<i32>(_e960)) + _e929);
 let _e965 = select(_e185, _e963, (_e963 < _e185));
@@ -647,11 +659,11 @@ let _e1048 = (_e1044 - select(0i, 1i, (_e1037 < f32(_e1044))));
 let _e1050 = (_e1033 - f32(_e1048));
 let _e1051 = (_e1048 < 0i);
 if _e1051 {
-phi_1916_ = (_e1048 + 1i);
+phi_1917_ = (_e1048 + 1i);
 } else {
-phi_1916_ = _e1048;
+phi_1917_ = _e1048;
 }
-let _e1054 = phi_1916_;
+let _e1054 = phi_1917_;
 let _e1055 = select(1i, -1i, _e1051);
 let _e1057 = select(_e1050, (1f - _e1050), _e1051);
 let _e1058 = local.member_3;
@@ -662,11 +674,11 @@ let _e1073 = (_e1069 - select(0i, 1i, (_e1062 < f32(_e1069))));
 let _e1075 = (_e1058 - f32(_e1073));
 let _e1076 = (_e1073 < 0i);
 if _e1076 {
-phi_1959_ = (_e1073 + 1i);
+phi_1960_ = (_e1073 + 1i);
 } else {
-phi_1959_ = _e1073;
+phi_1960_ = _e1073;
 }
-let _e1079 = phi_1959_;
+let _e1079 = phi_1960_;
 let _e1085 = local.member;
 let _e1088 = (((_e1032 + (_e1079 * _e121)) + bitcast<i32>(_e1085)) + _e1054);
 let _e1090 = select(_e185, _e1088, (_e1088 < _e185));
@@ -698,11 +710,11 @@ let _e1173 = (_e1169 - select(0i, 1i, (_e1162 < f32(_e1169))));
 let _e1175 = (_e1158 - f32(_e1173));
 let _e1176 = (_e1173 < 0i);
 if _e1176 {
-phi_2149_ = (_e1173 + 1i);
+phi_2150_ = (_e1173 + 1i);
 } else {
-phi_2149_ = _e1173;
+phi_2150_ = _e1173;
 }
-let _e1179 = phi_2149_;
+let _e1179 = phi_2150_;
 let _e1180 = select(1i, -1i, _e1176);
 let _e1182 = select(_e1175, (1f - _e1175), _e1176);
 let _e1183 = local.member_3;
@@ -713,11 +725,11 @@ let _e1198 = (_e1194 - select(0i, 1i, (_e1187 < f32(_e1194))));
 let _e1200 = (_e1183 - f32(_e1198));
 let _e1201 = (_e1198 < 0i);
 if _e1201 {
-phi_2192_ = (_e1198 + 1i);
+phi_2193_ = (_e1198 + 1i);
 } else {
-phi_2192_ = _e1198;
+phi_2193_ = _e1198;
 }
-let _e1204 = phi_2192_;
+let _e1204 = phi_2193_;
 let _e1210 = local.member;
 let _e1213 = (((_e1157 + (_e1204 * _e121)) + bitcast<i32>(_e1210)) + _e1179);
 let _e1215 = select(_e185, _e1213, (_e1213 < _e185));
@@ -752,7 +764,7 @@ let _e1310 = (((_e1281.member_1 * _e1291) - _e1308) * _e1296);
 let _e1312 = vec3<f32>(select(_e515, (_e596 + (((_e610 + ((_e618 - _e610) * _e547)) - _e596) * select(_e565, (1f - _e565), _e566))), ((((_e626 >= 0f) && (_e626 <= _e240)) && (_e631 >= 0f)) && (_e631 <= _e244))), select(_e647, (_e726 + (((_e740 + ((_e748 - _e740) * _e677)) - _e726) * select(_e695, (1f - _e695), _e696))), ((((_e756 >= 0f) && (_e756 <= _e240)) && (_e761 >= 0f)) && (_e761 <= _e244))), select(_e777, (_e856 + (((_e870 + ((_e878 - _e870) * _e807)) - _e856) * select(_e825, (1f - _e825), _e826))), ((((_e886 >= 0f) && (_e886 <= _e240)) && (_e891 >= 0f)) && (_e891 <= _e244))));
 let _e1314 = (select(0f, (_e981 + (((_e995 + ((_e1003 - _e995) * _e932)) - _e981) * select(_e950, (1f - _e950), _e951))), ((((_e1011 >= 0f) && (_e1011 <= _e240)) && (_e1016 >= 0f)) && (_e1016 <= _e244))) + (_e107 + _e1303));
 let _e1316 = (select(0f, (_e1106 + (((_e1120 + ((_e1128 - _e1120) * _e1057)) - _e1106) * select(_e1075, (1f - _e1075), _e1076))), ((((_e1136 >= 0f) && (_e1136 <= _e240)) && (_e1141 >= 0f)) && (_e1141 <= _e244))) + (_e108 + _e1310));
-let _e1317 = type_28(vec3<f32>(_e255, _e510, _e508), _e1312, _e1314, _e1316, _e1277);
+let _e1317 = type_29(vec3<f32>(_e255, _e510, _e508), _e1312, _e1314, _e1316, _e1277);
 let _e1320 = global_1.member.member_1;
 if (true && !(((_e1320 & 6u) == 0u))) {
 let _e1325 = bitcast<i32>(_e66);
@@ -837,8 +849,8 @@ let _e1559 = ((_e1522 * _e1522) + (_e1551 * _e1551));
 let _e1567 = select((sqrt(select(0f, _e1556, (_e1556 > 0f))) * sqrt(select(0f, _e1559, (_e1559 > 0f)))), 1f, ((_e1320 & 4u) != 0u));
 let _e1570 = (1e6f / select(1f, _e1277, (_e1277 > 1f)));
 let _e1572 = select(_e1570, _e1567, (_e1567 < _e1570));
-let _e1581 = type_28(vec3<f32>((_e255 * _e1572), (_e510 * _e1572), (_e508 * _e1572)), _e1317.member_1, _e1317.member_2, _e1317.member_3, _e1317.member_4);
-phi_11363_ = type_28(_e1581.member, _e1581.member_1, _e1581.member_2, _e1581.member_3, (_e1277 * _e1572));
+let _e1581 = type_29(vec3<f32>((_e255 * _e1572), (_e510 * _e1572), (_e508 * _e1572)), _e1317.member_1, _e1317.member_2, _e1317.member_3, _e1317.member_4);
+phi_11364_ = type_29(_e1581.member, _e1581.member_1, _e1581.member_2, _e1581.member_3, (_e1277 * _e1572));
 } else {
 let _e1588 = local.member_2;
 let _e1589 = (_e1588 + 0.5f);
@@ -991,19 +1003,19 @@ let _e1927 = select(_e185, _e1925, (_e1925 < _e185));
 let _e1932 = global_3.member[bitcast<u32>(select(0i, _e1927, (_e1927 > 0i)))];
 let _e1933 = select(_e1633, _e1932, _e1671);
 if _e117 {
-phi_3967_ = _e1933;
 phi_3968_ = _e1933;
+phi_3969_ = _e1933;
 } else {
 let _e1935 = ((_e1640 + _e1655) + _e1666);
 let _e1937 = select(_e185, _e1935, (_e1935 < _e185));
 let _e1942 = global_3.member[bitcast<u32>(select(0i, _e1937, (_e1937 > 0i)))];
 let _e1945 = select(_e185, _e1672, (_e1672 < _e185));
 let _e1950 = global_3.member[bitcast<u32>(select(0i, _e1945, (_e1945 > 0i)))];
-phi_3967_ = select(_e1633, _e1950, _e1671);
-phi_3968_ = select(_e1633, _e1942, _e1671);
+phi_3968_ = select(_e1633, _e1950, _e1671);
+phi_3969_ = select(_e1633, _e1942, _e1671);
 }
-let _e1953 = phi_3967_;
-let _e1955 = phi_3968_;
+let _e1953 = phi_3968_;
+let _e1955 = phi_3969_;
 let _e1964 = f32(_e1608);
 let _e1965 = (_e1643 + 1i);
 let _e1968 = ((_e1965 >= 0i) && (_e1965 < _e1638));
@@ -1090,19 +1102,19 @@ let _e2169 = select(_e185, _e2167, (_e2167 < _e185));
 let _e2174 = global_3.member[bitcast<u32>(select(0i, _e2169, (_e2169 > 0i)))];
 let _e2175 = select(_e1633, _e2174, _e1685);
 if _e117 {
-phi_4890_ = _e2175;
 phi_4891_ = _e2175;
+phi_4892_ = _e2175;
 } else {
 let _e2177 = ((_e1640 + _e1655) + _e1643);
 let _e2179 = select(_e185, _e2177, (_e2177 < _e185));
 let _e2184 = global_3.member[bitcast<u32>(select(0i, _e2179, (_e2179 > 0i)))];
 let _e2187 = select(_e185, _e1686, (_e1686 < _e185));
 let _e2192 = global_3.member[bitcast<u32>(select(0i, _e2187, (_e2187 > 0i)))];
-phi_4890_ = select(_e1633, _e2192, _e1685);
-phi_4891_ = select(_e1633, _e2184, _e1685);
+phi_4891_ = select(_e1633, _e2192, _e1685);
+phi_4892_ = select(_e1633, _e2184, _e1685);
 }
-let _e2195 = phi_4890_;
-let _e2197 = phi_4891_;
+let _e2195 = phi_4891_;
+let _e2197 = phi_4892_;
 let _e2207 = f32((_e1608 + 1i));
 let _e2208 = (_e1643 + 2i);
 let _e2211 = ((_e2208 >= 0i) && (_e2208 < _e1638));
@@ -1186,19 +1198,19 @@ let _e2412 = select(_e185, _e2410, (_e2410 < _e185));
 let _e2417 = global_3.member[bitcast<u32>(select(0i, _e2412, (_e2412 > 0i)))];
 let _e2418 = select(_e1633, _e2417, _e1970);
 if _e117 {
-phi_5813_ = _e2418;
 phi_5814_ = _e2418;
+phi_5815_ = _e2418;
 } else {
 let _e2420 = ((_e1640 + _e1655) + _e1965);
 let _e2422 = select(_e185, _e2420, (_e2420 < _e185));
 let _e2427 = global_3.member[bitcast<u32>(select(0i, _e2422, (_e2422 > 0i)))];
 let _e2430 = select(_e185, _e1971, (_e1971 < _e185));
 let _e2435 = global_3.member[bitcast<u32>(select(0i, _e2430, (_e2430 > 0i)))];
-phi_5813_ = select(_e1633, _e2435, _e1970);
-phi_5814_ = select(_e1633, _e2427, _e1970);
+phi_5814_ = select(_e1633, _e2435, _e1970);
+phi_5815_ = select(_e1633, _e2427, _e1970);
 }
-let _e2438 = phi_5813_;
-let _e2440 = phi_5814_;
+let _e2438 = phi_5814_;
+let _e2440 = phi_5815_;
 let _e2450 = ((_e1650 && _e1758) && _e1760);
 let _e2451 = (_e1641 + _e1762);
 let _e2452 = (_e2451 + _e1644);
@@ -1285,19 +1297,19 @@ let _e2646 = select(_e185, _e2644, (_e2644 < _e185));
 let _e2651 = global_3.member[bitcast<u32>(select(0i, _e2646, (_e2646 > 0i)))];
 let _e2652 = select(_e1633, _e2651, _e1761);
 if _e117 {
-phi_6736_ = _e2652;
 phi_6737_ = _e2652;
+phi_6738_ = _e2652;
 } else {
 let _e2654 = ((_e1640 + _e1762) + _e1666);
 let _e2656 = select(_e185, _e2654, (_e2654 < _e185));
 let _e2661 = global_3.member[bitcast<u32>(select(0i, _e2656, (_e2656 > 0i)))];
 let _e2664 = select(_e185, _e2461, (_e2461 < _e185));
 let _e2669 = global_3.member[bitcast<u32>(select(0i, _e2664, (_e2664 > 0i)))];
-phi_6736_ = select(_e1633, _e2669, _e1761);
-phi_6737_ = select(_e1633, _e2661, _e1761);
+phi_6737_ = select(_e1633, _e2669, _e1761);
+phi_6738_ = select(_e1633, _e2661, _e1761);
 }
-let _e2672 = phi_6736_;
-let _e2674 = phi_6737_;
+let _e2672 = phi_6737_;
+let _e2674 = phi_6738_;
 let _e2683 = (_e2451 + _e1965);
 let _e2685 = select(_e88, _e2683, (_e2683 < _e88));
 let _e2690 = global_4.member[bitcast<u32>(select(0i, _e2685, (_e2685 > 0i)))];
@@ -1361,19 +1373,19 @@ let _e2835 = select(_e185, _e2833, (_e2833 < _e185));
 let _e2840 = global_3.member[bitcast<u32>(select(0i, _e2835, (_e2835 > 0i)))];
 let _e2841 = select(_e1633, _e2840, _e2033);
 if _e117 {
-phi_7659_ = _e2841;
 phi_7660_ = _e2841;
+phi_7661_ = _e2841;
 } else {
 let _e2843 = ((_e1640 + _e1762) + _e1643);
 let _e2845 = select(_e185, _e2843, (_e2843 < _e185));
 let _e2850 = global_3.member[bitcast<u32>(select(0i, _e2845, (_e2845 > 0i)))];
 let _e2853 = select(_e185, _e2470, (_e2470 < _e185));
 let _e2858 = global_3.member[bitcast<u32>(select(0i, _e2853, (_e2853 > 0i)))];
-phi_7659_ = select(_e1633, _e2858, _e2033);
-phi_7660_ = select(_e1633, _e2850, _e2033);
+phi_7660_ = select(_e1633, _e2858, _e2033);
+phi_7661_ = select(_e1633, _e2850, _e2033);
 }
-let _e2861 = phi_7659_;
-let _e2863 = phi_7660_;
+let _e2861 = phi_7660_;
+let _e2863 = phi_7661_;
 let _e2873 = ((_e2211 && _e1758) && _e1760);
 let _e2874 = (_e2451 + _e2208);
 let _e2876 = select(_e88, _e2874, (_e2874 < _e88));
@@ -1439,19 +1451,19 @@ let _e3035 = select(_e185, _e3033, (_e3033 < _e185));
 let _e3040 = global_3.member[bitcast<u32>(select(0i, _e3035, (_e3035 > 0i)))];
 let _e3041 = select(_e1633, _e3040, _e2276);
 if _e117 {
-phi_8582_ = _e3041;
 phi_8583_ = _e3041;
+phi_8584_ = _e3041;
 } else {
 let _e3043 = ((_e1640 + _e1762) + _e1965);
 let _e3045 = select(_e185, _e3043, (_e3043 < _e185));
 let _e3050 = global_3.member[bitcast<u32>(select(0i, _e3045, (_e3045 > 0i)))];
 let _e3053 = select(_e185, _e2683, (_e2683 < _e185));
 let _e3058 = global_3.member[bitcast<u32>(select(0i, _e3053, (_e3053 > 0i)))];
-phi_8582_ = select(_e1633, _e3058, _e2276);
-phi_8583_ = select(_e1633, _e3050, _e2276);
+phi_8583_ = select(_e1633, _e3058, _e2276);
+phi_8584_ = select(_e1633, _e3050, _e2276);
 }
-let _e3061 = phi_8582_;
-let _e3063 = phi_8583_;
+let _e3061 = phi_8583_;
+let _e3063 = phi_8584_;
 let _e3073 = ((_e1650 && _e2513) && _e2515);
 let _e3074 = (_e1641 + _e2517);
 let _e3075 = (_e3074 + _e1644);
@@ -1535,19 +1547,19 @@ let _e3270 = select(_e185, _e3268, (_e3268 < _e185));
 let _e3275 = global_3.member[bitcast<u32>(select(0i, _e3270, (_e3270 > 0i)))];
 let _e3276 = select(_e1633, _e3275, _e2516);
 if _e117 {
-phi_9505_ = _e3276;
 phi_9506_ = _e3276;
+phi_9507_ = _e3276;
 } else {
 let _e3278 = ((_e1640 + _e2517) + _e1666);
 let _e3280 = select(_e185, _e3278, (_e3278 < _e185));
 let _e3285 = global_3.member[bitcast<u32>(select(0i, _e3280, (_e3280 > 0i)))];
 let _e3288 = select(_e185, _e3084, (_e3084 < _e185));
 let _e3293 = global_3.member[bitcast<u32>(select(0i, _e3288, (_e3288 > 0i)))];
-phi_9505_ = select(_e1633, _e3293, _e2516);
-phi_9506_ = select(_e1633, _e3285, _e2516);
+phi_9506_ = select(_e1633, _e3293, _e2516);
+phi_9507_ = select(_e1633, _e3285, _e2516);
 }
-let _e3296 = phi_9505_;
-let _e3298 = phi_9506_;
+let _e3296 = phi_9506_;
+let _e3298 = phi_9507_;
 let _e3307 = (_e3074 + _e1965);
 let _e3309 = select(_e88, _e3307, (_e3307 < _e88));
 let _e3314 = global_4.member[bitcast<u32>(select(0i, _e3309, (_e3309 > 0i)))];
@@ -1608,19 +1620,19 @@ let _e3459 = select(_e185, _e3457, (_e3457 < _e185));
 let _e3464 = global_3.member[bitcast<u32>(select(0i, _e3459, (_e3459 > 0i)))];
 let _e3465 = select(_e1633, _e3464, _e2723);
 if _e117 {
-phi_10428_ = _e3465;
 phi_10429_ = _e3465;
+phi_10430_ = _e3465;
 } else {
 let _e3467 = ((_e1640 + _e2517) + _e1643);
 let _e3469 = select(_e185, _e3467, (_e3467 < _e185));
 let _e3474 = global_3.member[bitcast<u32>(select(0i, _e3469, (_e3469 > 0i)))];
 let _e3477 = select(_e185, _e3093, (_e3093 < _e185));
 let _e3482 = global_3.member[bitcast<u32>(select(0i, _e3477, (_e3477 > 0i)))];
-phi_10428_ = select(_e1633, _e3482, _e2723);
-phi_10429_ = select(_e1633, _e3474, _e2723);
+phi_10429_ = select(_e1633, _e3482, _e2723);
+phi_10430_ = select(_e1633, _e3474, _e2723);
 }
-let _e3485 = phi_10428_;
-let _e3487 = phi_10429_;
+let _e3485 = phi_10429_;
+let _e3487 = phi_10430_;
 let _e3497 = ((_e2211 && _e2513) && _e2515);
 let _e3498 = (_e3074 + _e2208);
 let _e3500 = select(_e88, _e3498, (_e3498 < _e88));
@@ -1683,22 +1695,22 @@ let _e3659 = select(_e185, _e3657, (_e3657 < _e185));
 let _e3664 = global_3.member[bitcast<u32>(select(0i, _e3659, (_e3659 > 0i)))];
 let _e3665 = select(_e1633, _e3664, _e2914);
 if _e117 {
-phi_11351_ = _e3665;
 phi_11352_ = _e3665;
+phi_11353_ = _e3665;
 } else {
 let _e3667 = ((_e1640 + _e2517) + _e1965);
 let _e3669 = select(_e185, _e3667, (_e3667 < _e185));
 let _e3674 = global_3.member[bitcast<u32>(select(0i, _e3669, (_e3669 > 0i)))];
 let _e3677 = select(_e185, _e3307, (_e3307 < _e185));
 let _e3682 = global_3.member[bitcast<u32>(select(0i, _e3677, (_e3677 > 0i)))];
-phi_11351_ = select(_e1633, _e3682, _e2914);
-phi_11352_ = select(_e1633, _e3674, _e2914);
+phi_11352_ = select(_e1633, _e3682, _e2914);
+phi_11353_ = select(_e1633, _e3674, _e2914);
 }
-let _e3685 = phi_11351_;
-let _e3687 = phi_11352_;
-phi_11363_ = type_28(vec3<f32>((((((((((0f + (_e1933 * _e1924)) + (_e2175 * _e2166)) + (_e2418 * _e2409)) + (_e2652 * _e2643)) + (_e2841 * _e2832)) + (_e3041 * _e3032)) + (_e3276 * _e3267)) + (_e3465 * _e3456)) + (_e3665 * _e3656)), (((((((((0f + (_e1955 * _e1924)) + (_e2197 * _e2166)) + (_e2440 * _e2409)) + (_e2674 * _e2643)) + (_e2863 * _e2832)) + (_e3063 * _e3032)) + (_e3298 * _e3267)) + (_e3487 * _e3456)) + (_e3687 * _e3656)), (((((((((0f + (_e1953 * _e1924)) + (_e2195 * _e2166)) + (_e2438 * _e2409)) + (_e2672 * _e2643)) + (_e2861 * _e2832)) + (_e3061 * _e3032)) + (_e3296 * _e3267)) + (_e3485 * _e3456)) + (_e3685 * _e3656))), _e1312, _e1314, _e1316, (((((((((0f + (_e1817 * _e1924)) + (_e1835 * _e2166)) + (_e2083 * _e2409)) + (_e1855 * _e2643)) + (_e2101 * _e2832)) + (_e2344 * _e3032)) + (_e2578 * _e3267)) + (_e2771 * _e3456)) + (_e2971 * _e3656)));
+let _e3685 = phi_11352_;
+let _e3687 = phi_11353_;
+phi_11364_ = type_29(vec3<f32>((((((((((0f + (_e1933 * _e1924)) + (_e2175 * _e2166)) + (_e2418 * _e2409)) + (_e2652 * _e2643)) + (_e2841 * _e2832)) + (_e3041 * _e3032)) + (_e3276 * _e3267)) + (_e3465 * _e3456)) + (_e3665 * _e3656)), (((((((((0f + (_e1955 * _e1924)) + (_e2197 * _e2166)) + (_e2440 * _e2409)) + (_e2674 * _e2643)) + (_e2863 * _e2832)) + (_e3063 * _e3032)) + (_e3298 * _e3267)) + (_e3487 * _e3456)) + (_e3687 * _e3656)), (((((((((0f + (_e1953 * _e1924)) + (_e2195 * _e2166)) + (_e2438 * _e2409)) + (_e2672 * _e2643)) + (_e2861 * _e2832)) + (_e3061 * _e3032)) + (_e3296 * _e3267)) + (_e3485 * _e3456)) + (_e3685 * _e3656))), _e1312, _e1314, _e1316, (((((((((0f + (_e1817 * _e1924)) + (_e1835 * _e2166)) + (_e2083 * _e2409)) + (_e1855 * _e2643)) + (_e2101 * _e2832)) + (_e2344 * _e3032)) + (_e2578 * _e3267)) + (_e2771 * _e3456)) + (_e2971 * _e3656)));
 }
-let _e3699 = phi_11363_;
+let _e3699 = phi_11364_;
 global_2.member[_e71] = _e3699.member.x;
 global_2.member[(_e69 + _e71)] = _e3699.member.y;
 global_2.member[((2u * _e69) + _e71)] = _e3699.member.z;

@@ -41,23 +41,74 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_14 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
 struct type_16 {
+member: array<f32>,
+}
+struct type_20 {
 member: array<u32>,
 }
-struct type_17 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_18 {
+struct type_22 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,7 +116,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_19 {
+struct type_23 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -83,7 +134,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_20 {
+struct type_24 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -94,106 +145,67 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_21 {
+struct type_25 {
 member: type_5,
 member_1: type_5,
 }
-struct type_22 {
-member: type_14,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_23 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_24 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_14,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_14,
-member_18: type_22,
-member_19: type_5,
-member_20: type_23,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
-member_2: type_17,
-member_3: type_14,
-member_4: type_14,
+member_2: type_21,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_18,
-member_8: type_19,
-member_9: type_19,
-member_10: type_20,
-member_11: type_21,
-member_12: type_24,
-member_13: type_18,
+member_7: type_22,
+member_8: type_23,
+member_9: type_23,
+member_10: type_24,
+member_11: type_25,
+member_12: type_14,
+member_13: type_22,
 member_14: type_4,
 member_15: type_9,
-member_16: type_25,
-member_17: type_25,
-member_18: type_25,
-member_19: type_25,
-member_20: type_5,
+member_16: type_26,
+member_17: type_26,
+member_18: type_26,
+member_19: type_26,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_27 {
-member: type_26,
-}
 struct type_28 {
+member: type_27,
+}
+struct type_29 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(3)
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_16;
 @group(0) @binding(1)
-var<storage> global_3: type_16;
+var<storage> global_3: type_20;
 @group(0) @binding(2)
-var<storage> global_4: type_16;
+var<storage> global_4: type_20;
 fn function_() {
-var phi_198_: type_14;
-var phi_267_: type_14;
-var phi_867_: u32;
-var phi_1204_: f32;
-var phi_1260_: f32;
-var phi_1265_: vec3<f32>;
-var phi_1368_: f32;
-var phi_1452_: f32;
-var phi_1524_: type_28;
-var phi_1525_: type_28;
+var phi_204_: type_11;
+var phi_273_: type_11;
+var phi_869_: u32;
+var phi_1205_: f32;
+var phi_1237_: vec3<f32>;
+var phi_1263_: f32;
+var phi_1374_: f32;
+var phi_1458_: f32;
+var phi_1530_: type_29;
+var phi_1531_: type_29;
 switch bitcast<i32>(0u) {
 default: {
 let _e48 = global;
@@ -210,11 +222,11 @@ let _e81 = global_1.member.member_3.member_1;
 let _e82 = (_e66 % 16u);
 let _e83 = (_e68 % 4u);
 if ((_e66 < (_e77 - (_e77 % 16u))) && (_e68 < (_e81 - (_e81 % 4u)))) {
-phi_198_ = type_14((((_e66 - _e82) + (_e83 * 4u)) + (_e82 % 4u)), ((_e68 - _e83) + (_e82 / 4u)));
+phi_204_ = type_11((((_e66 - _e82) + (_e83 * 4u)) + (_e82 % 4u)), ((_e68 - _e83) + (_e82 / 4u)));
 } else {
-phi_198_ = type_14(_e66, _e68);
+phi_204_ = type_11(_e66, _e68);
 }
-let _e102 = phi_198_;
+let _e102 = phi_204_;
 let _e107 = global_1.member.member_5;
 let _e108 = (_e107 == 0u);
 let _e109 = select(_e107, 1u, _e108);
@@ -233,7 +245,7 @@ let _e118 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e120 = select(_e118, _e116, (_e116 < _e118));
 let _e126 = global_4.member[bitcast<u32>(select(0i, _e120, (_e120 > 0i)))];
 if _e108 {
-phi_267_ = _e102;
+phi_273_ = _e102;
 } else {
 if _e110 {
 break;
@@ -241,9 +253,9 @@ break;
 if _e110 {
 break;
 }
-phi_267_ = type_14((((_e126 & 65535u) * _e109) + (_e102.member % _e109)), (((_e126 >> bitcast<u32>(16u)) * _e109) + (_e102.member_1 % _e109)));
+phi_273_ = type_11((((_e126 & 65535u) * _e109) + (_e102.member % _e109)), (((_e126 >> bitcast<u32>(16u)) * _e109) + (_e102.member_1 % _e109)));
 }
-let _e138 = phi_267_;
+let _e138 = phi_273_;
 let _e147 = global_1.member.member_4.member;
 let _e156 = global_1.member.member_14.member;
 let _e157 = (((((f32(bitcast<i32>(_e138.member)) + 0.5f) / f32(bitcast<i32>(_e147))) * 2f) - 1f) * _e156);
@@ -280,6 +292,9 @@ let _e275 = global_1.member.member_15.member_1.member.member;
 let _e280 = global_1.member.member_15.member_1.member_1;
 let _e286 = global_1.member.member_15.member.member.member;
 let _e291 = global_1.member.member_15.member.member_1;
+let _e298 = select(_e286.member, _e275.member, _e269);
+let _e299 = select(_e286.member_1, _e275.member_1, _e269);
+let _e300 = select(_e286.member_2, _e275.member_2, _e269);
 let _e310 = (_e232 || _e261);
 let _e311 = select(_e236, _e265, _e269);
 let _e316 = select(1f, _e311, (_e311 < 1f));
@@ -362,12 +377,12 @@ let _e607 = select(0f, _e605, (_e605 > 0f));
 let _e609 = select(1f, _e607, (_e607 < 1f));
 if _e269 {
 let _e614 = global_1.member.member_12.member_18.member_4;
-phi_867_ = _e614;
+phi_869_ = _e614;
 } else {
 let _e619 = global_1.member.member_12.member_18.member_3;
-phi_867_ = _e619;
+phi_869_ = _e619;
 }
-let _e621 = phi_867_;
+let _e621 = phi_869_;
 let _e625 = ((bitcast<i32>(_e621) + (_e597 * _e450)) + _e580);
 let _e626 = (_e450 * _e457);
 let _e628 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
@@ -420,10 +435,10 @@ let _e768 = global_3.member[bitcast<u32>(select(0i, _e762, (_e762 > 0i)))];
 let _e775 = (_e749 + (((_e759 + ((bitcast<f32>(_e768) - _e759) * _e603)) - _e749) * _e609));
 let _e777 = (_e371 == 0u);
 if _e777 {
-phi_1265_ = vec3<f32>(_e676, _e725, _e775);
+phi_1237_ = vec3<f32>(_e676, _e725, _e775);
 } else {
 if _e777 {
-phi_1204_ = 1f;
+phi_1205_ = 1f;
 } else {
 let _e782 = global_1.member.member_12.member_20.member;
 let _e790 = (((_e782.member * _e380) + (_e782.member_1 * _e381)) + (_e782.member_2 * _e382));
@@ -436,70 +451,94 @@ let _e818 = global_1.member.member_12.member_20.member_2;
 let _e819 = ((_e812 - (sqrt(select(0f, _e801, (_e801 > 0f))) / select(1e-20f, _e790, (_e790 > 1e-20f)))) * _e818);
 let _e821 = select(0f, _e819, (_e819 > 0f));
 let _e823 = select(1f, _e821, (_e821 < 1f));
-phi_1204_ = select(1f, select(0f, ((_e823 * _e823) * (3f - (2f * _e823))), (_e790 > 0f)), (_e818 > 0f));
+phi_1205_ = select(1f, select(0f, ((_e823 * _e823) * (3f - (2f * _e823))), (_e790 > 0f)), (_e818 > 0f));
 }
-let _e833 = phi_1204_;
+let _e833 = phi_1205_;
 let _e835 = select(0f, 1f, (_e382 > 0f));
 let _e839 = ((_e676 * _e835) + _e833);
 let _e840 = ((_e725 * _e835) + _e833);
 let _e841 = ((_e775 * _e835) + _e833);
+phi_1237_ = vec3<f32>(select(0f, _e839, (_e839 > 0f)), select(0f, _e840, (_e840 > 0f)), select(0f, _e841, (_e841 > 0f)));
+}
+let _e850 = phi_1237_;
 if _e777 {
-phi_1260_ = 1f;
+phi_1263_ = 1f;
 } else {
-phi_1260_ = (1f / select(1e-12f, _e387, (_e387 > 1e-12f)));
+phi_1263_ = (1f / select(1e-12f, _e387, (_e387 > 1e-12f)));
 }
-let _e852 = phi_1260_;
-phi_1265_ = vec3<f32>((select(0f, _e839, (_e839 > 0f)) * _e852), (select(0f, _e840, (_e840 > 0f)) * _e852), (select(0f, _e841, (_e841 > 0f)) * _e852));
-}
-let _e858 = phi_1265_;
-let _e862 = global_1.member.member_11.member_1;
-phi_1525_ = type_28((vec3<f32>(_e862.member, _e862.member_1, _e862.member_2) * _e858), _e438);
+let _e855 = phi_1263_;
+let _e865 = global_1.member.member_11.member_1;
+phi_1531_ = type_29(vec3<f32>((_e865.member * (_e850.x * _e855)), (_e865.member_1 * (_e850.y * _e855)), (_e865.member_2 * (_e850.z * _e855))), _e438);
 } else {
-let _e869 = (_e371 == 0u);
-if _e869 {
-let _e873 = global_1.member.member_11.member_1;
-let _e881 = global_1.member.member_11.member;
-phi_1524_ = type_28(vec3<f32>(_e873.member, _e873.member_1, _e873.member_2), vec3<f32>(_e881.member, _e881.member_1, _e881.member_2));
+let _e874 = (_e371 == 0u);
+if _e874 {
+let _e878 = global_1.member.member_11.member_1;
+let _e886 = global_1.member.member_11.member;
+phi_1530_ = type_29(vec3<f32>(_e878.member, _e878.member_1, _e878.member_2), vec3<f32>(_e886.member, _e886.member_1, _e886.member_2));
 } else {
-let _e890 = global_1.member.member_11.member_1;
-if _e869 {
-phi_1368_ = 1f;
+let _e895 = global_1.member.member_11.member_1;
+if _e874 {
+phi_1374_ = 1f;
 } else {
-phi_1368_ = (1f / select(1e-12f, _e387, (_e387 > 1e-12f)));
+phi_1374_ = (1f / select(1e-12f, _e387, (_e387 > 1e-12f)));
 }
-let _e898 = phi_1368_;
-if _e869 {
-phi_1452_ = 1f;
+let _e903 = phi_1374_;
+if _e874 {
+phi_1458_ = 1f;
 } else {
-let _e903 = global_1.member.member_12.member_20.member;
-let _e911 = (((_e903.member * _e380) + (_e903.member_1 * _e381)) + (_e903.member_2 * _e382));
-let _e915 = (_e380 - (_e903.member * _e911));
-let _e916 = (_e381 - (_e903.member_1 * _e911));
-let _e917 = (_e382 - (_e903.member_2 * _e911));
-let _e922 = (((_e915 * _e915) + (_e916 * _e916)) + (_e917 * _e917));
-let _e933 = global_1.member.member_12.member_20.member_1;
-let _e939 = global_1.member.member_12.member_20.member_2;
-let _e940 = ((_e933 - (sqrt(select(0f, _e922, (_e922 > 0f))) / select(1e-20f, _e911, (_e911 > 1e-20f)))) * _e939);
-let _e942 = select(0f, _e940, (_e940 > 0f));
-let _e944 = select(1f, _e942, (_e942 < 1f));
-phi_1452_ = select(1f, select(0f, ((_e944 * _e944) * (3f - (2f * _e944))), (_e911 > 0f)), (_e939 > 0f));
+let _e908 = global_1.member.member_12.member_20.member;
+let _e916 = (((_e908.member * _e380) + (_e908.member_1 * _e381)) + (_e908.member_2 * _e382));
+let _e920 = (_e380 - (_e908.member * _e916));
+let _e921 = (_e381 - (_e908.member_1 * _e916));
+let _e922 = (_e382 - (_e908.member_2 * _e916));
+let _e927 = (((_e920 * _e920) + (_e921 * _e921)) + (_e922 * _e922));
+let _e938 = global_1.member.member_12.member_20.member_1;
+let _e944 = global_1.member.member_12.member_20.member_2;
+let _e945 = ((_e938 - (sqrt(select(0f, _e927, (_e927 > 0f))) / select(1e-20f, _e916, (_e916 > 1e-20f)))) * _e944);
+let _e947 = select(0f, _e945, (_e945 > 0f));
+let _e949 = select(1f, _e947, (_e947 < 1f));
+phi_1458_ = select(1f, select(0f, ((_e949 * _e949) * (3f - (2f * _e949))), (_e916 > 0f)), (_e944 > 0f));
 }
-let _e954 = phi_1452_;
-let _e955 = (_e898 * _e954);
-phi_1524_ = type_28(vec3<f32>((_e890.member * _e955), (_e890.member_1 * _e955), (_e890.member_2 * _e955)), _e438);
+let _e959 = phi_1458_;
+let _e960 = (_e903 * _e959);
+phi_1530_ = type_29(vec3<f32>((_e895.member * _e960), (_e895.member_1 * _e960), (_e895.member_2 * _e960)), _e438);
 }
-let _e962 = phi_1524_;
-phi_1525_ = _e962;
+let _e967 = phi_1530_;
+phi_1531_ = _e967;
 }
-let _e964 = phi_1525_;
-let _e973 = (((_e964.member_1.x * _e964.member_1.x) + (_e964.member_1.y * _e964.member_1.y)) + (_e964.member_1.z * _e964.member_1.z));
-let _e976 = sqrt(select(0f, _e973, (_e973 > 0f)));
-let _e982 = (1e-6f * _e976);
-let _e986 = select((_e976 / select(_e982, _e964.member_1.z, (_e964.member_1.z > _e982))), 1f, ((_e441 & 8u) != 0u));
-let _e995 = global_1.member.member_20;
-let _e1007 = (-((((select(_e286.member, _e275.member, _e269) * _e964.member_1.x) + (select(_e286.member_1, _e275.member_1, _e269) * _e964.member_1.y)) + (select(_e286.member_2, _e275.member_2, _e269) * _e964.member_1.z))) / select(1e-20f, _e976, (_e976 > 1e-20f)));
-let _e1012 = bitcast<f32>((bitcast<u32>(select(0f, _e1007, (_e1007 > 0f))) & 2147483647u));
-let _e1022 = select(0f, 1f, _e310);
+let _e969 = phi_1531_;
+let _e973 = global_1.member.member_23.member_4;
+let _e981 = (((_e973.member * _e298) + (_e973.member_1 * _e299)) + (_e973.member_2 * _e300));
+let _e985 = global_1.member.member_23.member_5;
+let _e993 = (((_e985.member * _e298) + (_e985.member_1 * _e299)) + (_e985.member_2 * _e300));
+let _e997 = global_1.member.member_23.member_6;
+let _e1005 = (((_e997.member * _e298) + (_e997.member_1 * _e299)) + (_e997.member_2 * _e300));
+let _e1009 = global_1.member.member_20.member_1;
+let _e1019 = global_1.member.member_20.member_2;
+let _e1032 = global_1.member.member_20.member_3;
+let _e1045 = global_1.member.member_20.member_4;
+let _e1049 = (_e981 * _e981);
+let _e1056 = global_1.member.member_20.member_5;
+let _e1060 = (_e993 * _e993);
+let _e1070 = global_1.member.member_20.member_6;
+let _e1074 = (_e1005 * _e1005);
+let _e1084 = global_1.member.member_20.member_7;
+let _e1088 = (_e981 * _e993);
+let _e1095 = global_1.member.member_20.member_8;
+let _e1099 = (_e981 * _e1005);
+let _e1109 = global_1.member.member_20.member_9;
+let _e1113 = (_e993 * _e1005);
+let _e1123 = global_1.member.member_20.member;
+let _e1133 = ((_e1123.member + (((_e1009.member * _e981) + (_e1019.member * _e993)) + (_e1032.member * _e1005))) + ((((_e1045.member * _e1049) + (_e1056.member * _e1060)) + (_e1070.member * _e1074)) + (((_e1084.member * _e1088) + (_e1095.member * _e1099)) + (_e1109.member * _e1113))));
+let _e1134 = ((_e1123.member_1 + (((_e1009.member_1 * _e981) + (_e1019.member_1 * _e993)) + (_e1032.member_1 * _e1005))) + ((((_e1045.member_1 * _e1049) + (_e1056.member_1 * _e1060)) + (_e1070.member_1 * _e1074)) + (((_e1084.member_1 * _e1088) + (_e1095.member_1 * _e1099)) + (_e1109.member_1 * _e1113))));
+let _e1135 = ((_e1123.member_2 + (((_e1009.member_2 * _e981) + (_e1019.member_2 * _e993)) + (_e1032.member_2 * _e1005))) + ((((_e1045.member_2 * _e1049) + (_e1056.member_2 * _e1060)) + (_e1070.member_2 * _e1074)) + (((_e1084.member_2 * _e1088) + (_e1095.member_2 * _e1099)) + (_e1109.member_2 * _e1113))));
+let _e1150 = (((_e969.member_1.x * _e969.member_1.x) + (_e969.member_1.y * _e969.member_1.y)) + (_e969.member_1.z * _e969.member_1.z));
+let _e1153 = sqrt(select(0f, _e1150, (_e1150 > 0f)));
+let _e1159 = (1e-6f * _e1153);
+let _e1163 = select((_e1153 / select(_e1159, _e969.member_1.z, (_e969.member_1.z > _e1159))), 1f, ((_e441 & 8u) != 0u));
+let _e1178 = (-((((_e298 * _e969.member_1.x) + (_e299 * _e969.member_1.y)) + (_e300 * _e969.member_1.z))) / select(1e-20f, _e1153, (_e1153 > 1e-20f)));
+let _e1183 = bitcast<f32>((bitcast<u32>(select(0f, _e1178, (_e1178 > 0f))) & 2147483647u));
+let _e1193 = select(0f, 1f, _e310);
 global_2.member[_e73] = _e191;
 global_2.member[(_e71 + _e73)] = _e192;
 global_2.member[((2u * _e71) + _e73)] = _e193;
@@ -507,12 +546,12 @@ global_2.member[((3u * _e71) + _e73)] = (_e184 * _e204);
 global_2.member[((4u * _e71) + _e73)] = (_e185 * _e204);
 global_2.member[((5u * _e71) + _e73)] = (1f * _e204);
 global_2.member[((6u * _e71) + _e73)] = 0f;
-global_2.member[((7u * _e71) + _e73)] = _e1022;
+global_2.member[((7u * _e71) + _e73)] = _e1193;
 global_2.member[((8u * _e71) + _e73)] = select(0f, (_e311 * _e183), _e310);
-global_2.member[((9u * _e71) + _e73)] = select(0f, (select(_e291.member, _e280.member, _e269) * (((_e964.member.x * _e986) * _e1012) + _e995.member)), _e310);
-global_2.member[((10u * _e71) + _e73)] = select(0f, (select(_e291.member_1, _e280.member_1, _e269) * (((_e964.member.y * _e986) * _e1012) + _e995.member_1)), _e310);
-global_2.member[((11u * _e71) + _e73)] = select(0f, (select(_e291.member_2, _e280.member_2, _e269) * (((_e964.member.z * _e986) * _e1012) + _e995.member_2)), _e310);
-global_2.member[((12u * _e71) + _e73)] = _e1022;
+global_2.member[((9u * _e71) + _e73)] = select(0f, (select(_e291.member, _e280.member, _e269) * (((_e969.member.x * _e1163) * _e1183) + select(0f, _e1133, (_e1133 > 0f)))), _e310);
+global_2.member[((10u * _e71) + _e73)] = select(0f, (select(_e291.member_1, _e280.member_1, _e269) * (((_e969.member.y * _e1163) * _e1183) + select(0f, _e1134, (_e1134 > 0f)))), _e310);
+global_2.member[((11u * _e71) + _e73)] = select(0f, (select(_e291.member_2, _e280.member_2, _e269) * (((_e969.member.z * _e1163) * _e1183) + select(0f, _e1135, (_e1135 > 0f)))), _e310);
+global_2.member[((12u * _e71) + _e73)] = _e1193;
 global_2.member[((13u * _e71) + _e73)] = 1f;
 global_2.member[((14u * _e71) + _e73)] = 1f;
 global_2.member[((15u * _e71) + _e73)] = 1f;

@@ -41,20 +41,71 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_15 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
 struct type_16 {
+member: array<f32>,
+}
+struct type_20 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -62,7 +113,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -80,7 +131,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_19 {
+struct type_23 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,97 +142,58 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_5,
 member_1: type_5,
 }
-struct type_21 {
-member: type_15,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_22 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_23 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_15,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_15,
-member_18: type_21,
-member_19: type_5,
-member_20: type_22,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_15,
-member_4: type_15,
+member_2: type_20,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_17,
-member_8: type_18,
-member_9: type_18,
-member_10: type_19,
-member_11: type_20,
-member_12: type_23,
-member_13: type_17,
+member_7: type_21,
+member_8: type_22,
+member_9: type_22,
+member_10: type_23,
+member_11: type_24,
+member_12: type_14,
+member_13: type_21,
 member_14: type_4,
 member_15: type_9,
-member_16: type_24,
-member_17: type_24,
-member_18: type_24,
-member_19: type_24,
-member_20: type_5,
+member_16: type_25,
+member_17: type_25,
+member_18: type_25,
+member_19: type_25,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_26 {
-member: type_25,
+struct type_27 {
+member: type_26,
 }
-struct type_28 {
+struct type_29 {
 member: vec2<f32>,
 member_1: vec3<f32>,
 member_2: bool,
 }
-struct type_31 {
+struct type_32 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_11;
+var<storage> global_1: type_16;
 @group(0) @binding(0)
-var<storage> global_2: type_26;
+var<storage> global_2: type_27;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_31;
+var<storage, read_write> global_3: type_32;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -191,78 +203,78 @@ var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_433_: type_7;
-var phi_443_: type_7;
-var phi_715_: f32;
-var phi_803_: f32;
-var phi_1181_: f32;
-var phi_1269_: f32;
-var phi_1647_: f32;
-var phi_1735_: f32;
-var phi_2114_: f32;
-var phi_2202_: f32;
-var phi_3399_: type_28;
-var phi_3403_: type_28;
-var phi_3408_: type_28;
-var phi_3412_: type_28;
-var phi_3416_: type_28;
-var phi_3421_: type_28;
-var phi_3426_: type_28;
-var phi_3430_: type_28;
-var phi_3435_: type_28;
-var phi_3439_: type_28;
-var phi_3443_: type_28;
-var phi_3448_: type_28;
-var phi_3453_: type_28;
-var phi_3457_: type_28;
-var phi_3486_: f32;
-var phi_3699_: i32;
-var phi_3734_: i32;
-var phi_3825_: vec2<f32>;
-var phi_4494_: i32;
-var phi_4526_: i32;
-var phi_4607_: u32;
-var phi_4665_: u32;
-var phi_4723_: u32;
-var phi_4527_: i32;
-var phi_4495_: i32;
-var phi_3954_: i32;
-var phi_4111_: i32;
-var phi_4143_: i32;
-var phi_4224_: u32;
-var phi_4282_: u32;
-var phi_4340_: u32;
-var phi_4144_: i32;
-var phi_4112_: i32;
-var phi_3955_: i32;
-var phi_3735_: i32;
+var phi_434_: type_7;
+var phi_444_: type_7;
+var phi_716_: f32;
+var phi_804_: f32;
+var phi_1182_: f32;
+var phi_1270_: f32;
+var phi_1648_: f32;
+var phi_1736_: f32;
+var phi_2115_: f32;
+var phi_2203_: f32;
+var phi_3400_: type_29;
+var phi_3404_: type_29;
+var phi_3409_: type_29;
+var phi_3413_: type_29;
+var phi_3417_: type_29;
+var phi_3422_: type_29;
+var phi_3427_: type_29;
+var phi_3431_: type_29;
+var phi_3436_: type_29;
+var phi_3440_: type_29;
+var phi_3444_: type_29;
+var phi_3449_: type_29;
+var phi_3454_: type_29;
+var phi_3458_: type_29;
+var phi_3487_: f32;
 var phi_3700_: i32;
-var phi_5078_: vec3<f32>;
-var phi_5233_: vec3<f32>;
-var phi_5388_: vec3<f32>;
-var phi_5544_: vec3<f32>;
-var phi_5715_: f32;
-var phi_5928_: i32;
-var phi_5963_: i32;
-var phi_6054_: vec2<f32>;
-var phi_6723_: i32;
-var phi_6755_: i32;
-var phi_6836_: u32;
-var phi_6894_: u32;
-var phi_6952_: u32;
-var phi_6756_: i32;
-var phi_6724_: i32;
-var phi_6183_: i32;
-var phi_6340_: i32;
-var phi_6372_: i32;
-var phi_6453_: u32;
-var phi_6511_: u32;
-var phi_6569_: u32;
-var phi_6373_: i32;
-var phi_6341_: i32;
-var phi_6184_: i32;
-var phi_5964_: i32;
+var phi_3735_: i32;
+var phi_3826_: vec2<f32>;
+var phi_4495_: i32;
+var phi_4527_: i32;
+var phi_4608_: u32;
+var phi_4666_: u32;
+var phi_4724_: u32;
+var phi_4528_: i32;
+var phi_4496_: i32;
+var phi_3955_: i32;
+var phi_4112_: i32;
+var phi_4144_: i32;
+var phi_4225_: u32;
+var phi_4283_: u32;
+var phi_4341_: u32;
+var phi_4145_: i32;
+var phi_4113_: i32;
+var phi_3956_: i32;
+var phi_3736_: i32;
+var phi_3701_: i32;
+var phi_5079_: vec3<f32>;
+var phi_5234_: vec3<f32>;
+var phi_5389_: vec3<f32>;
+var phi_5545_: vec3<f32>;
+var phi_5716_: f32;
 var phi_5929_: i32;
+var phi_5964_: i32;
+var phi_6055_: vec2<f32>;
+var phi_6724_: i32;
+var phi_6756_: i32;
+var phi_6837_: u32;
+var phi_6895_: u32;
+var phi_6953_: u32;
+var phi_6757_: i32;
+var phi_6725_: i32;
+var phi_6184_: i32;
+var phi_6341_: i32;
+var phi_6373_: i32;
+var phi_6454_: u32;
+var phi_6512_: u32;
+var phi_6570_: u32;
+var phi_6374_: i32;
+var phi_6342_: i32;
+var phi_6185_: i32;
+var phi_5965_: i32;
+var phi_5930_: i32;
 let _e58 = global;
 let _e63 = arrayLength((&global_3.member));
 let _e66 = global_2.member.member_2;
@@ -316,19 +328,19 @@ let _e202 = (_e201 > 0f);
 if (!(_e197) || _e202) {
 if (_e79.member_2 == 1u) {
 let _e215 = global_2.member.member_15.member_1.member;
-phi_433_ = _e215;
+phi_434_ = _e215;
 } else {
 let _e210 = global_2.member.member_15.member.member;
-phi_433_ = _e210;
+phi_434_ = _e210;
 }
-let _e217 = phi_433_;
+let _e217 = phi_434_;
 let _e221 = global_2.member.member_12.member_21;
 if (_e79.member_2 == 2u) {
-phi_443_ = type_7(type_5(0f, 0f, -1f), _e221);
+phi_444_ = type_7(type_5(0f, 0f, -1f), _e221);
 } else {
-phi_443_ = _e217;
+phi_444_ = _e217;
 }
-let _e225 = phi_443_;
+let _e225 = phi_444_;
 let _e231 = global_2.member.member_12.member_18.member.member;
 let _e232 = bitcast<i32>(_e231);
 let _e238 = global_2.member.member_12.member_18.member.member_1;
@@ -383,7 +395,7 @@ let _e338 = f32(bitcast<i32>(_e74));
 let _e342 = global_2.member.member_12.member_3;
 let _e343 = (_e342 == 0u);
 if _e343 {
-phi_715_ = 1f;
+phi_716_ = 1f;
 } else {
 let _e347 = global_2.member.member_12.member_5;
 let _e351 = global_2.member.member_12.member_7;
@@ -392,11 +404,11 @@ let _e357 = global_2.member.member_12.member_6;
 let _e359 = (_e357 + (_e338 * _e351));
 let _e364 = (((_e353 * _e353) + (_e359 * _e359)) + (1f * 1f));
 let _e368 = (1f / sqrt(select(0f, _e364, (_e364 > 0f))));
-phi_715_ = ((_e368 * _e368) * _e368);
+phi_716_ = ((_e368 * _e368) * _e368);
 }
-let _e372 = phi_715_;
+let _e372 = phi_716_;
 if _e343 {
-phi_803_ = 1f;
+phi_804_ = 1f;
 } else {
 let _e376 = global_2.member.member_12.member_5;
 let _e380 = global_2.member.member_12.member_7;
@@ -414,9 +426,9 @@ let _e429 = global_2.member.member_12.member_20.member_2;
 let _e430 = ((_e423 - (sqrt(select(0f, _e412, (_e412 > 0f))) / select(1e-20f, _e401, (_e401 > 1e-20f)))) * _e429);
 let _e432 = select(0f, _e430, (_e430 > 0f));
 let _e434 = select(1f, _e432, (_e432 < 1f));
-phi_803_ = select(1f, select(0f, ((_e434 * _e434) * (3f - (2f * _e434))), (_e401 > 0f)), (_e429 > 0f));
+phi_804_ = select(1f, select(0f, ((_e434 * _e434) * (3f - (2f * _e434))), (_e401 > 0f)), (_e429 > 0f));
 }
-let _e444 = phi_803_;
+let _e444 = phi_804_;
 let _e445 = (_e372 * _e444);
 let _e446 = (_e312 * _e445);
 let _e447 = (_e323 * _e445);
@@ -488,7 +500,7 @@ let _e583 = select(_e101, _e581, (_e581 < _e101));
 let _e588 = global_1.member[bitcast<u32>(select(0i, _e583, (_e583 > 0i)))];
 let _e590 = f32(bitcast<i32>(_e123));
 if _e343 {
-phi_1181_ = 1f;
+phi_1182_ = 1f;
 } else {
 let _e594 = global_2.member.member_12.member_5;
 let _e598 = global_2.member.member_12.member_7;
@@ -497,11 +509,11 @@ let _e604 = global_2.member.member_12.member_6;
 let _e606 = (_e604 + (_e338 * _e598));
 let _e611 = (((_e600 * _e600) + (_e606 * _e606)) + (1f * 1f));
 let _e615 = (1f / sqrt(select(0f, _e611, (_e611 > 0f))));
-phi_1181_ = ((_e615 * _e615) * _e615);
+phi_1182_ = ((_e615 * _e615) * _e615);
 }
-let _e619 = phi_1181_;
+let _e619 = phi_1182_;
 if _e343 {
-phi_1269_ = 1f;
+phi_1270_ = 1f;
 } else {
 let _e623 = global_2.member.member_12.member_5;
 let _e627 = global_2.member.member_12.member_7;
@@ -519,9 +531,9 @@ let _e676 = global_2.member.member_12.member_20.member_2;
 let _e677 = ((_e670 - (sqrt(select(0f, _e659, (_e659 > 0f))) / select(1e-20f, _e648, (_e648 > 1e-20f)))) * _e676);
 let _e679 = select(0f, _e677, (_e677 > 0f));
 let _e681 = select(1f, _e679, (_e679 < 1f));
-phi_1269_ = select(1f, select(0f, ((_e681 * _e681) * (3f - (2f * _e681))), (_e648 > 0f)), (_e676 > 0f));
+phi_1270_ = select(1f, select(0f, ((_e681 * _e681) * (3f - (2f * _e681))), (_e648 > 0f)), (_e676 > 0f));
 }
-let _e691 = phi_1269_;
+let _e691 = phi_1270_;
 let _e692 = (_e619 * _e691);
 let _e693 = (_e566 * _e692);
 let _e694 = (_e577 * _e692);
@@ -593,7 +605,7 @@ let _e830 = select(_e101, _e828, (_e828 < _e101));
 let _e835 = global_1.member[bitcast<u32>(select(0i, _e830, (_e830 > 0i)))];
 let _e837 = f32(bitcast<i32>(_e148));
 if _e343 {
-phi_1647_ = 1f;
+phi_1648_ = 1f;
 } else {
 let _e841 = global_2.member.member_12.member_5;
 let _e845 = global_2.member.member_12.member_7;
@@ -602,11 +614,11 @@ let _e851 = global_2.member.member_12.member_6;
 let _e853 = (_e851 + (_e837 * _e845));
 let _e858 = (((_e847 * _e847) + (_e853 * _e853)) + (1f * 1f));
 let _e862 = (1f / sqrt(select(0f, _e858, (_e858 > 0f))));
-phi_1647_ = ((_e862 * _e862) * _e862);
+phi_1648_ = ((_e862 * _e862) * _e862);
 }
-let _e866 = phi_1647_;
+let _e866 = phi_1648_;
 if _e343 {
-phi_1735_ = 1f;
+phi_1736_ = 1f;
 } else {
 let _e870 = global_2.member.member_12.member_5;
 let _e874 = global_2.member.member_12.member_7;
@@ -624,9 +636,9 @@ let _e923 = global_2.member.member_12.member_20.member_2;
 let _e924 = ((_e917 - (sqrt(select(0f, _e906, (_e906 > 0f))) / select(1e-20f, _e895, (_e895 > 1e-20f)))) * _e923);
 let _e926 = select(0f, _e924, (_e924 > 0f));
 let _e928 = select(1f, _e926, (_e926 < 1f));
-phi_1735_ = select(1f, select(0f, ((_e928 * _e928) * (3f - (2f * _e928))), (_e895 > 0f)), (_e923 > 0f));
+phi_1736_ = select(1f, select(0f, ((_e928 * _e928) * (3f - (2f * _e928))), (_e895 > 0f)), (_e923 > 0f));
 }
-let _e938 = phi_1735_;
+let _e938 = phi_1736_;
 let _e939 = (_e866 * _e938);
 let _e940 = (_e813 * _e939);
 let _e941 = (_e824 * _e939);
@@ -697,7 +709,7 @@ let _e1075 = ((8i * _e1072) + _e1074);
 let _e1077 = select(_e101, _e1075, (_e1075 < _e101));
 let _e1082 = global_1.member[bitcast<u32>(select(0i, _e1077, (_e1077 > 0i)))];
 if _e343 {
-phi_2114_ = 1f;
+phi_2115_ = 1f;
 } else {
 let _e1086 = global_2.member.member_12.member_5;
 let _e1090 = global_2.member.member_12.member_7;
@@ -706,11 +718,11 @@ let _e1096 = global_2.member.member_12.member_6;
 let _e1098 = (_e1096 + (_e837 * _e1090));
 let _e1103 = (((_e1092 * _e1092) + (_e1098 * _e1098)) + (1f * 1f));
 let _e1107 = (1f / sqrt(select(0f, _e1103, (_e1103 > 0f))));
-phi_2114_ = ((_e1107 * _e1107) * _e1107);
+phi_2115_ = ((_e1107 * _e1107) * _e1107);
 }
-let _e1111 = phi_2114_;
+let _e1111 = phi_2115_;
 if _e343 {
-phi_2202_ = 1f;
+phi_2203_ = 1f;
 } else {
 let _e1115 = global_2.member.member_12.member_5;
 let _e1119 = global_2.member.member_12.member_7;
@@ -728,9 +740,9 @@ let _e1168 = global_2.member.member_12.member_20.member_2;
 let _e1169 = ((_e1162 - (sqrt(select(0f, _e1151, (_e1151 > 0f))) / select(1e-20f, _e1140, (_e1140 > 1e-20f)))) * _e1168);
 let _e1171 = select(0f, _e1169, (_e1169 > 0f));
 let _e1173 = select(1f, _e1171, (_e1171 < 1f));
-phi_2202_ = select(1f, select(0f, ((_e1173 * _e1173) * (3f - (2f * _e1173))), (_e1140 > 0f)), (_e1168 > 0f));
+phi_2203_ = select(1f, select(0f, ((_e1173 * _e1173) * (3f - (2f * _e1173))), (_e1140 > 0f)), (_e1168 > 0f));
 }
-let _e1183 = phi_2202_;
+let _e1183 = phi_2203_;
 let _e1184 = (_e1111 * _e1183);
 let _e1185 = (_e1060 * _e1184);
 let _e1186 = (_e1071 * _e1184);
@@ -791,7 +803,7 @@ let _e1351 = (-(_e1294) * _e1305);
 let _e1353 = select(0f, _e1351, (_e1351 > 0f));
 let _e1355 = (_e1313 + _e1353);
 let _e1367 = (((_e471 == 1f) || (_e1255 < 0f)) || !((_e343 || (_e1263 > _e1268))));
-let _e1369 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1298, (_e1298 < _e1296)) * _e1305)) + (((_e1315 * _e1313) / select(1e-12f, _e1317, (_e1317 > 1e-12f))) - ((_e1324 * _e1313) / select(1e-12f, _e1326, (_e1326 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1337, (_e1337 < _e1335)) * _e1305)) + (((_e1344 * _e1313) / select(1e-12f, _e1346, (_e1346 > 1e-12f))) - ((_e1353 * _e1313) / select(1e-12f, _e1355, (_e1355 > 1e-12f))))) - 0.5f)), vec3<f32>(_e446, _e447, _e448), _e1367);
+let _e1369 = type_29(vec2<f32>((((_e1313 + (select(_e1296, _e1298, (_e1298 < _e1296)) * _e1305)) + (((_e1315 * _e1313) / select(1e-12f, _e1317, (_e1317 > 1e-12f))) - ((_e1324 * _e1313) / select(1e-12f, _e1326, (_e1326 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1337, (_e1337 < _e1335)) * _e1305)) + (((_e1344 * _e1313) / select(1e-12f, _e1346, (_e1346 > 1e-12f))) - ((_e1353 * _e1313) / select(1e-12f, _e1355, (_e1355 > 1e-12f))))) - 0.5f)), vec3<f32>(_e446, _e447, _e448), _e1367);
 let _e1374 = (((_e279 * _e279) + (_e290 * _e290)) + (_e301 * _e301));
 let _e1381 = ((_e1257 * sqrt(select(0f, _e1374, (_e1374 > 0f)))) * select(0f, 1f, (_e460 != 0f)));
 let _e1387 = ((((_e225.member.member * _e501) + (_e225.member.member_1 * _e511)) + (_e225.member.member_2 * _e522)) + _e225.member_1);
@@ -819,7 +831,7 @@ let _e1463 = (-(_e1420) * _e1305);
 let _e1465 = select(0f, _e1463, (_e1463 > 0f));
 let _e1467 = (_e1313 + _e1465);
 let _e1479 = (((_e718 == 1f) || (_e1399 < 0f)) || !((_e343 || (_e1407 > _e1268))));
-let _e1481 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1422, (_e1422 < _e1296)) * _e1305)) + (((_e1429 * _e1313) / select(1e-12f, _e1431, (_e1431 > 1e-12f))) - ((_e1438 * _e1313) / select(1e-12f, _e1440, (_e1440 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1449, (_e1449 < _e1335)) * _e1305)) + (((_e1456 * _e1313) / select(1e-12f, _e1458, (_e1458 > 1e-12f))) - ((_e1465 * _e1313) / select(1e-12f, _e1467, (_e1467 > 1e-12f))))) - 0.5f)), vec3<f32>(_e693, _e694, _e695), _e1479);
+let _e1481 = type_29(vec2<f32>((((_e1313 + (select(_e1296, _e1422, (_e1422 < _e1296)) * _e1305)) + (((_e1429 * _e1313) / select(1e-12f, _e1431, (_e1431 > 1e-12f))) - ((_e1438 * _e1313) / select(1e-12f, _e1440, (_e1440 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1449, (_e1449 < _e1335)) * _e1305)) + (((_e1456 * _e1313) / select(1e-12f, _e1458, (_e1458 > 1e-12f))) - ((_e1465 * _e1313) / select(1e-12f, _e1467, (_e1467 > 1e-12f))))) - 0.5f)), vec3<f32>(_e693, _e694, _e695), _e1479);
 let _e1486 = (((_e533 * _e533) + (_e544 * _e544)) + (_e555 * _e555));
 let _e1493 = ((_e1401 * sqrt(select(0f, _e1486, (_e1486 > 0f)))) * select(0f, 1f, (_e707 != 0f)));
 let _e1499 = ((((_e225.member.member * _e748) + (_e225.member.member_1 * _e758)) + (_e225.member.member_2 * _e769)) + _e225.member_1);
@@ -847,7 +859,7 @@ let _e1575 = (-(_e1532) * _e1305);
 let _e1577 = select(0f, _e1575, (_e1575 > 0f));
 let _e1579 = (_e1313 + _e1577);
 let _e1591 = (((_e965 == 1f) || (_e1511 < 0f)) || !((_e343 || (_e1519 > _e1268))));
-let _e1593 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1534, (_e1534 < _e1296)) * _e1305)) + (((_e1541 * _e1313) / select(1e-12f, _e1543, (_e1543 > 1e-12f))) - ((_e1550 * _e1313) / select(1e-12f, _e1552, (_e1552 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1561, (_e1561 < _e1335)) * _e1305)) + (((_e1568 * _e1313) / select(1e-12f, _e1570, (_e1570 > 1e-12f))) - ((_e1577 * _e1313) / select(1e-12f, _e1579, (_e1579 > 1e-12f))))) - 0.5f)), vec3<f32>(_e940, _e941, _e942), _e1591);
+let _e1593 = type_29(vec2<f32>((((_e1313 + (select(_e1296, _e1534, (_e1534 < _e1296)) * _e1305)) + (((_e1541 * _e1313) / select(1e-12f, _e1543, (_e1543 > 1e-12f))) - ((_e1550 * _e1313) / select(1e-12f, _e1552, (_e1552 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1561, (_e1561 < _e1335)) * _e1305)) + (((_e1568 * _e1313) / select(1e-12f, _e1570, (_e1570 > 1e-12f))) - ((_e1577 * _e1313) / select(1e-12f, _e1579, (_e1579 > 1e-12f))))) - 0.5f)), vec3<f32>(_e940, _e941, _e942), _e1591);
 let _e1598 = (((_e780 * _e780) + (_e791 * _e791)) + (_e802 * _e802));
 let _e1605 = ((_e1513 * sqrt(select(0f, _e1598, (_e1598 > 0f)))) * select(0f, 1f, (_e954 != 0f)));
 let _e1611 = ((((_e225.member.member * _e995) + (_e225.member.member_1 * _e1005)) + (_e225.member.member_2 * _e1016)) + _e225.member_1);
@@ -875,7 +887,7 @@ let _e1687 = (-(_e1644) * _e1305);
 let _e1689 = select(0f, _e1687, (_e1687 > 0f));
 let _e1691 = (_e1313 + _e1689);
 let _e1703 = (((_e1210 == 1f) || (_e1623 < 0f)) || !((_e343 || (_e1631 > _e1268))));
-let _e1705 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1646, (_e1646 < _e1296)) * _e1305)) + (((_e1653 * _e1313) / select(1e-12f, _e1655, (_e1655 > 1e-12f))) - ((_e1662 * _e1313) / select(1e-12f, _e1664, (_e1664 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1673, (_e1673 < _e1335)) * _e1305)) + (((_e1680 * _e1313) / select(1e-12f, _e1682, (_e1682 > 1e-12f))) - ((_e1689 * _e1313) / select(1e-12f, _e1691, (_e1691 > 1e-12f))))) - 0.5f)), vec3<f32>(_e1185, _e1186, _e1187), _e1703);
+let _e1705 = type_29(vec2<f32>((((_e1313 + (select(_e1296, _e1646, (_e1646 < _e1296)) * _e1305)) + (((_e1653 * _e1313) / select(1e-12f, _e1655, (_e1655 > 1e-12f))) - ((_e1662 * _e1313) / select(1e-12f, _e1664, (_e1664 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1673, (_e1673 < _e1335)) * _e1305)) + (((_e1680 * _e1313) / select(1e-12f, _e1682, (_e1682 > 1e-12f))) - ((_e1689 * _e1313) / select(1e-12f, _e1691, (_e1691 > 1e-12f))))) - 0.5f)), vec3<f32>(_e1185, _e1186, _e1187), _e1703);
 let _e1710 = (((_e1027 * _e1027) + (_e1038 * _e1038)) + (_e1049 * _e1049));
 let _e1717 = ((_e1625 * sqrt(select(0f, _e1710, (_e1710 > 0f)))) * select(0f, 1f, (_e1199 != 0f)));
 let _e1719 = select(_e1493, _e1381, (_e1381 > _e1493));
@@ -884,98 +896,98 @@ let _e1726 = (((_e201 * select(_e1721, _e1719, (_e1719 > _e1721))) * _e1286) * _
 let _e1737 = (((select(0f, 1f, !(_e1367)) + select(0f, 1f, !(_e1479))) + select(0f, 1f, !(_e1591))) + select(0f, 1f, !(_e1703)));
 if (_e1737 > 0f) {
 if _e1367 {
-phi_3399_ = _e1593;
+phi_3400_ = _e1593;
 } else {
-phi_3399_ = _e1369;
+phi_3400_ = _e1369;
 }
-let _e1740 = phi_3399_;
+let _e1740 = phi_3400_;
 if _e1479 {
-phi_3403_ = _e1705;
+phi_3404_ = _e1705;
 } else {
-phi_3403_ = _e1481;
+phi_3404_ = _e1481;
 }
-let _e1742 = phi_3403_;
+let _e1742 = phi_3404_;
 if _e1740.member_2 {
-phi_3408_ = _e1742;
+phi_3409_ = _e1742;
 } else {
-phi_3408_ = _e1740;
+phi_3409_ = _e1740;
 }
-let _e1745 = phi_3408_;
+let _e1745 = phi_3409_;
 if _e1479 {
-phi_3412_ = _e1745;
+phi_3413_ = _e1745;
 } else {
-phi_3412_ = _e1481;
+phi_3413_ = _e1481;
 }
-let _e1747 = phi_3412_;
+let _e1747 = phi_3413_;
 if _e1367 {
-phi_3416_ = _e1747;
+phi_3417_ = _e1747;
 } else {
-phi_3416_ = _e1369;
+phi_3417_ = _e1369;
 }
-let _e1749 = phi_3416_;
+let _e1749 = phi_3417_;
 if _e1742.member_2 {
-phi_3421_ = _e1740;
+phi_3422_ = _e1740;
 } else {
-phi_3421_ = _e1742;
+phi_3422_ = _e1742;
 }
-let _e1752 = phi_3421_;
+let _e1752 = phi_3422_;
 if _e1749.member_2 {
-phi_3426_ = _e1752;
+phi_3427_ = _e1752;
 } else {
-phi_3426_ = _e1749;
+phi_3427_ = _e1749;
 }
-let _e1755 = phi_3426_;
+let _e1755 = phi_3427_;
 if _e1479 {
-phi_3430_ = _e1755;
+phi_3431_ = _e1755;
 } else {
-phi_3430_ = _e1481;
+phi_3431_ = _e1481;
 }
-let _e1757 = phi_3430_;
+let _e1757 = phi_3431_;
 if _e1740.member_2 {
-phi_3435_ = _e1742;
+phi_3436_ = _e1742;
 } else {
-phi_3435_ = _e1740;
+phi_3436_ = _e1740;
 }
-let _e1759 = phi_3435_;
+let _e1759 = phi_3436_;
 if _e1703 {
-phi_3439_ = _e1759;
+phi_3440_ = _e1759;
 } else {
-phi_3439_ = _e1705;
+phi_3440_ = _e1705;
 }
-let _e1761 = phi_3439_;
+let _e1761 = phi_3440_;
 if _e1591 {
-phi_3443_ = _e1761;
+phi_3444_ = _e1761;
 } else {
-phi_3443_ = _e1593;
+phi_3444_ = _e1593;
 }
-let _e1763 = phi_3443_;
+let _e1763 = phi_3444_;
 if _e1742.member_2 {
-phi_3448_ = _e1740;
+phi_3449_ = _e1740;
 } else {
-phi_3448_ = _e1742;
+phi_3449_ = _e1742;
 }
-let _e1765 = phi_3448_;
+let _e1765 = phi_3449_;
 if _e1763.member_2 {
-phi_3453_ = _e1765;
+phi_3454_ = _e1765;
 } else {
-phi_3453_ = _e1763;
+phi_3454_ = _e1763;
 }
-let _e1768 = phi_3453_;
+let _e1768 = phi_3454_;
 if _e1703 {
-phi_3457_ = _e1768;
+phi_3458_ = _e1768;
 } else {
-phi_3457_ = _e1705;
+phi_3458_ = _e1705;
 }
-let _e1770 = phi_3457_;
+let _e1770 = phi_3458_;
 let _e1771 = (1.7320508f * _e1726);
 if _e202 {
 let _e1774 = (0.5f * select(1f, _e1771, (_e1771 > 1f)));
 let _e1776 = select(_e1305, _e1774, (_e1774 > _e1305));
-phi_3486_ = select(8f, _e1776, (_e1776 < 8f));
+phi_3487_ = select(8f, _e1776, (_e1776 < 8f));
 } else {
-phi_3486_ = 1f;
+phi_3487_ = 1f;
 }
-let _e1780 = phi_3486_;
+let _e1780 = phi_3487_;
 let _e1790 = (_e1757.member.x - _e1749.member.x);
 let _e1791 = (_e1757.member.y - _e1749.member.y);
 let _e1794 = bitcast<f32>((bitcast<u32>(_e1790) & 2147483647u));
@@ -1023,15 +1035,15 @@ let _e1919 = (_e1915 - select(0i, 1i, (_e1908 < f32(_e1915))));
 let _e1921 = (1f / f32(_e1903));
 let _e1923 = (1f / f32(_e1919));
 let _e1926 = ((_e1921 * _e1923) * (_e1737 * 0.25f));
-phi_3699_ = 0i;
+phi_3700_ = 0i;
 loop {
-let _e1928 = phi_3699_;
+let _e1928 = phi_3700_;
 let _e1929 = (_e1928 < _e1919);
 if _e1929 {
 let _e1932 = ((f32(_e1928) + 0.5f) * _e1923);
-phi_3734_ = 0i;
+phi_3735_ = 0i;
 loop {
-let _e1940 = phi_3734_;
+let _e1940 = phi_3735_;
 let _e1941 = (_e1940 < _e1903);
 if _e1941 {
 let _e1944 = ((f32(_e1940) + 0.5f) * _e1921);
@@ -1050,11 +1062,11 @@ let _e1978 = (9.765625e-4f * 9.765625e-4f);
 let _e1981 = (_e1960 / select(_e1978, _e1963, (_e1963 > _e1978)));
 let _e1986 = (_e1960 / select(_e1978, _e1966, (_e1966 > _e1978)));
 if ((_e1969 * _e1966) <= (_e1973 * _e1963)) {
-phi_3825_ = vec2<f32>(_e1963, select(_e1974, _e1981, (_e1981 < _e1974)));
+phi_3826_ = vec2<f32>(_e1963, select(_e1974, _e1981, (_e1981 < _e1974)));
 } else {
-phi_3825_ = vec2<f32>(select(_e1970, _e1986, (_e1986 < _e1970)), _e1966);
+phi_3826_ = vec2<f32>(select(_e1970, _e1986, (_e1986 < _e1970)), _e1966);
 }
-let _e1992 = phi_3825_;
+let _e1992 = phi_3826_;
 let _e1996 = (_e1749.member.x + (_e1790 * _e1944));
 let _e2001 = (_e1996 + (((_e1763.member.x + (_e1808 * _e1944)) - _e1996) * _e1932));
 let _e2003 = (_e1749.member.y + (_e1791 * _e1944));
@@ -1076,9 +1088,9 @@ let _e2325 = (1f * 1f);
 let _e2327 = select(_e2325, _e2324, (_e2324 > _e2325));
 let _e2330 = sqrt(select(0f, _e2327, (_e2327 > 0f)));
 let _e2332 = (1f / (_e2330 * _e2330));
-phi_3954_ = 0i;
+phi_3955_ = 0i;
 loop {
-let _e2337 = phi_3954_;
+let _e2337 = phi_3955_;
 let _e2338 = (_e2337 < 4i);
 if _e2338 {
 let _e2340 = f32((_e2337 & 1i));
@@ -1112,18 +1124,18 @@ let _e2424 = (_e2369 + 0.5f);
 let _e2426 = select(0f, _e2424, (_e2424 > 0f));
 let _e2428 = select(65536f, _e2426, (_e2426 < 65536f));
 let _e2435 = select(0i, select(select(i32(_e2428), i32(-2147483648), (_e2428 < -2147483600f)), 2147483647i, (_e2428 > 2147483500f)), (_e2428 == _e2428));
-phi_4111_ = (_e2435 - select(0i, 1i, (_e2428 < f32(_e2435))));
+phi_4112_ = (_e2435 - select(0i, 1i, (_e2428 < f32(_e2435))));
 loop {
-let _e2441 = phi_4111_;
+let _e2441 = phi_4112_;
 let _e2442 = (_e2441 <= (_e2419 - select(0i, 1i, (_e2412 < f32(_e2419)))));
 if _e2442 {
 let _e2443 = f32(_e2441);
 let _e2444 = (_e2443 - 0.5f);
 let _e2447 = (_e2443 + 0.5f);
 let _e2450 = (select(_e2447, _e2405, (_e2405 < _e2447)) - select(_e2444, _e2369, (_e2369 > _e2444)));
-phi_4143_ = (_e2381 - select(0i, 1i, (_e2374 < f32(_e2381))));
+phi_4144_ = (_e2381 - select(0i, 1i, (_e2374 < f32(_e2381))));
 loop {
-let _e2455 = phi_4143_;
+let _e2455 = phi_4144_;
 let _e2456 = (_e2455 <= (_e2400 - select(0i, 1i, (_e2393 < f32(_e2400)))));
 if _e2456 {
 let _e2457 = f32(_e2455);
@@ -1145,11 +1157,11 @@ if ((_e2491 | _e2494) == 0u) {
 let _e2497 = bitcast<u32>(_e2472);
 if (_e2497 < _e63) {
 let _e2501 = atomicAdd((&global_3.member[_e2497]), _e2491);
-phi_4224_ = _e2501;
+phi_4225_ = _e2501;
 } else {
-phi_4224_ = 0u;
+phi_4225_ = 0u;
 }
-let _e2503 = phi_4224_;
+let _e2503 = phi_4225_;
 let _e2507 = (_e2494 + select(0u, 1u, ((_e2503 + _e2491) < _e2491)));
 if (_e2507 == 0u) {
 } else {
@@ -1171,11 +1183,11 @@ if ((_e2533 | _e2536) == 0u) {
 let _e2539 = bitcast<u32>((_e2472 + 2i));
 if (_e2539 < _e63) {
 let _e2543 = atomicAdd((&global_3.member[_e2539]), _e2533);
-phi_4282_ = _e2543;
+phi_4283_ = _e2543;
 } else {
-phi_4282_ = 0u;
+phi_4283_ = 0u;
 }
-let _e2545 = phi_4282_;
+let _e2545 = phi_4283_;
 let _e2549 = (_e2536 + select(0u, 1u, ((_e2545 + _e2533) < _e2533)));
 if (_e2549 == 0u) {
 } else {
@@ -1197,11 +1209,11 @@ if ((_e2575 | _e2578) == 0u) {
 let _e2581 = bitcast<u32>((_e2472 + 4i));
 if (_e2581 < _e63) {
 let _e2585 = atomicAdd((&global_3.member[_e2581]), _e2575);
-phi_4340_ = _e2585;
+phi_4341_ = _e2585;
 } else {
-phi_4340_ = 0u;
+phi_4341_ = 0u;
 }
-let _e2587 = phi_4340_;
+let _e2587 = phi_4341_;
 let _e2591 = (_e2578 + select(0u, 1u, ((_e2587 + _e2575) < _e2575)));
 if (_e2591 == 0u) {
 } else {
@@ -1212,36 +1224,36 @@ let _e2597 = atomicAdd((&global_3.member[_e2593]), _e2591);
 }
 }
 }
-phi_4144_ = (_e2455 + 1i);
+phi_4145_ = (_e2455 + 1i);
 } else {
-phi_4144_ = i32();
+phi_4145_ = i32();
 }
-let _e2600 = phi_4144_;
+let _e2600 = phi_4145_;
 continue;
 continuing {
-phi_4143_ = _e2600;
+phi_4144_ = _e2600;
 break if !(_e2456);
 }
 }
-phi_4112_ = (_e2441 + 1i);
+phi_4113_ = (_e2441 + 1i);
 } else {
-phi_4112_ = i32();
+phi_4113_ = i32();
 }
-let _e2604 = phi_4112_;
+let _e2604 = phi_4113_;
 continue;
 continuing {
-phi_4111_ = _e2604;
+phi_4112_ = _e2604;
 break if !(_e2442);
 }
 }
-phi_3955_ = (_e2337 + 1i);
+phi_3956_ = (_e2337 + 1i);
 } else {
-phi_3955_ = i32();
+phi_3956_ = i32();
 }
-let _e2608 = phi_3955_;
+let _e2608 = phi_3956_;
 continue;
 continuing {
-phi_3954_ = _e2608;
+phi_3955_ = _e2608;
 break if !(_e2338);
 }
 }
@@ -1272,18 +1284,18 @@ let _e2129 = (_e2074 + 0.5f);
 let _e2131 = select(0f, _e2129, (_e2129 > 0f));
 let _e2133 = select(65536f, _e2131, (_e2131 < 65536f));
 let _e2140 = select(0i, select(select(i32(_e2133), i32(-2147483648), (_e2133 < -2147483600f)), 2147483647i, (_e2133 > 2147483500f)), (_e2133 == _e2133));
-phi_4494_ = (_e2140 - select(0i, 1i, (_e2133 < f32(_e2140))));
+phi_4495_ = (_e2140 - select(0i, 1i, (_e2133 < f32(_e2140))));
 loop {
-let _e2146 = phi_4494_;
+let _e2146 = phi_4495_;
 let _e2147 = (_e2146 <= (_e2124 - select(0i, 1i, (_e2117 < f32(_e2124)))));
 if _e2147 {
 let _e2148 = f32(_e2146);
 let _e2149 = (_e2148 - 0.5f);
 let _e2152 = (_e2148 + 0.5f);
 let _e2155 = (select(_e2152, _e2110, (_e2110 < _e2152)) - select(_e2149, _e2074, (_e2074 > _e2149)));
-phi_4526_ = (_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))));
+phi_4527_ = (_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))));
 loop {
-let _e2160 = phi_4526_;
+let _e2160 = phi_4527_;
 let _e2161 = (_e2160 <= (_e2105 - select(0i, 1i, (_e2098 < f32(_e2105)))));
 if _e2161 {
 let _e2162 = f32(_e2160);
@@ -1305,11 +1317,11 @@ if ((_e2196 | _e2199) == 0u) {
 let _e2202 = bitcast<u32>(_e2177);
 if (_e2202 < _e63) {
 let _e2206 = atomicAdd((&global_3.member[_e2202]), _e2196);
-phi_4607_ = _e2206;
+phi_4608_ = _e2206;
 } else {
-phi_4607_ = 0u;
+phi_4608_ = 0u;
 }
-let _e2208 = phi_4607_;
+let _e2208 = phi_4608_;
 let _e2212 = (_e2199 + select(0u, 1u, ((_e2208 + _e2196) < _e2196)));
 if (_e2212 == 0u) {
 } else {
@@ -1331,11 +1343,11 @@ if ((_e2238 | _e2241) == 0u) {
 let _e2244 = bitcast<u32>((_e2177 + 2i));
 if (_e2244 < _e63) {
 let _e2248 = atomicAdd((&global_3.member[_e2244]), _e2238);
-phi_4665_ = _e2248;
+phi_4666_ = _e2248;
 } else {
-phi_4665_ = 0u;
+phi_4666_ = 0u;
 }
-let _e2250 = phi_4665_;
+let _e2250 = phi_4666_;
 let _e2254 = (_e2241 + select(0u, 1u, ((_e2250 + _e2238) < _e2238)));
 if (_e2254 == 0u) {
 } else {
@@ -1357,11 +1369,11 @@ if ((_e2280 | _e2283) == 0u) {
 let _e2286 = bitcast<u32>((_e2177 + 4i));
 if (_e2286 < _e63) {
 let _e2290 = atomicAdd((&global_3.member[_e2286]), _e2280);
-phi_4723_ = _e2290;
+phi_4724_ = _e2290;
 } else {
-phi_4723_ = 0u;
+phi_4724_ = 0u;
 }
-let _e2292 = phi_4723_;
+let _e2292 = phi_4724_;
 let _e2296 = (_e2283 + select(0u, 1u, ((_e2292 + _e2280) < _e2280)));
 if (_e2296 == 0u) {
 } else {
@@ -1372,48 +1384,48 @@ let _e2302 = atomicAdd((&global_3.member[_e2298]), _e2296);
 }
 }
 }
-phi_4527_ = (_e2160 + 1i);
+phi_4528_ = (_e2160 + 1i);
 } else {
-phi_4527_ = i32();
+phi_4528_ = i32();
 }
-let _e2305 = phi_4527_;
+let _e2305 = phi_4528_;
 continue;
 continuing {
-phi_4526_ = _e2305;
+phi_4527_ = _e2305;
 break if !(_e2161);
 }
 }
-phi_4495_ = (_e2146 + 1i);
+phi_4496_ = (_e2146 + 1i);
 } else {
-phi_4495_ = i32();
+phi_4496_ = i32();
 }
-let _e2309 = phi_4495_;
+let _e2309 = phi_4496_;
 continue;
 continuing {
-phi_4494_ = _e2309;
+phi_4495_ = _e2309;
 break if !(_e2147);
 }
 }
 }
-phi_3735_ = (_e1940 + 1i);
+phi_3736_ = (_e1940 + 1i);
 } else {
-phi_3735_ = i32();
+phi_3736_ = i32();
 }
-let _e2612 = phi_3735_;
+let _e2612 = phi_3736_;
 continue;
 continuing {
-phi_3734_ = _e2612;
+phi_3735_ = _e2612;
 break if !(_e1941);
 }
 }
-phi_3700_ = (_e1928 + 1i);
+phi_3701_ = (_e1928 + 1i);
 } else {
-phi_3700_ = i32();
+phi_3701_ = i32();
 }
-let _e2616 = phi_3700_;
+let _e2616 = phi_3701_;
 continue;
 continuing {
-phi_3699_ = _e2616;
+phi_3700_ = _e2616;
 break if !(_e1929);
 }
 }
@@ -1468,11 +1480,11 @@ let _e2793 = select(0f, _e2791, (_e2791 > 0f));
 let _e2795 = (_e2753 + _e2793);
 let _e2802 = (((_e2753 + (select(_e2775, _e2777, (_e2777 < _e2775)) * _e2745)) + (((_e2784 * _e2753) / select(1e-12f, _e2786, (_e2786 > 1e-12f))) - ((_e2793 * _e2753) / select(1e-12f, _e2795, (_e2795 > 1e-12f))))) - 0.5f);
 if _e197 {
-phi_5078_ = vec3<f32>((_e446 + -1f), (_e447 + -1f), (_e448 + -1f));
+phi_5079_ = vec3<f32>((_e446 + -1f), (_e447 + -1f), (_e448 + -1f));
 } else {
-phi_5078_ = vec3<f32>(-1f, -1f, -1f);
+phi_5079_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2808 = phi_5078_;
+let _e2808 = phi_5079_;
 let _e2810 = select(0f, _e590, (_e590 > 0f));
 let _e2815 = ((_e590 - _e2736) * _e2745);
 let _e2817 = select(0f, _e2815, (_e2815 > 0f));
@@ -1482,11 +1494,11 @@ let _e2826 = select(0f, _e2824, (_e2824 > 0f));
 let _e2828 = (_e2753 + _e2826);
 let _e2835 = (((_e2753 + (select(_e2736, _e2810, (_e2810 < _e2736)) * _e2745)) + (((_e2817 * _e2753) / select(1e-12f, _e2819, (_e2819 > 1e-12f))) - ((_e2826 * _e2753) / select(1e-12f, _e2828, (_e2828 > 1e-12f))))) - 0.5f);
 if _e197 {
-phi_5233_ = vec3<f32>((_e693 + -1f), (_e694 + -1f), (_e695 + -1f));
+phi_5234_ = vec3<f32>((_e693 + -1f), (_e694 + -1f), (_e695 + -1f));
 } else {
-phi_5233_ = vec3<f32>(-1f, -1f, -1f);
+phi_5234_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2841 = phi_5233_;
+let _e2841 = phi_5234_;
 let _e2843 = select(0f, _e837, (_e837 > 0f));
 let _e2848 = ((_e837 - _e2775) * _e2745);
 let _e2850 = select(0f, _e2848, (_e2848 > 0f));
@@ -1496,17 +1508,17 @@ let _e2859 = select(0f, _e2857, (_e2857 > 0f));
 let _e2861 = (_e2753 + _e2859);
 let _e2868 = (((_e2753 + (select(_e2775, _e2843, (_e2843 < _e2775)) * _e2745)) + (((_e2850 * _e2753) / select(1e-12f, _e2852, (_e2852 > 1e-12f))) - ((_e2859 * _e2753) / select(1e-12f, _e2861, (_e2861 > 1e-12f))))) - 0.5f);
 if _e197 {
-phi_5388_ = vec3<f32>((_e940 + -1f), (_e941 + -1f), (_e942 + -1f));
+phi_5389_ = vec3<f32>((_e940 + -1f), (_e941 + -1f), (_e942 + -1f));
 } else {
-phi_5388_ = vec3<f32>(-1f, -1f, -1f);
+phi_5389_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2874 = phi_5388_;
+let _e2874 = phi_5389_;
 if _e197 {
-phi_5544_ = vec3<f32>((_e1185 + -1f), (_e1186 + -1f), (_e1187 + -1f));
+phi_5545_ = vec3<f32>((_e1185 + -1f), (_e1186 + -1f), (_e1187 + -1f));
 } else {
-phi_5544_ = vec3<f32>(-1f, -1f, -1f);
+phi_5545_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2880 = phi_5544_;
+let _e2880 = phi_5545_;
 let _e2884 = global_2.member.member_7.member_1;
 let _e2885 = (_e2884 - _e2655);
 let _e2887 = select(_e2733, _e2885, (_e2885 < _e2733));
@@ -1522,11 +1534,11 @@ let _e2915 = (1.7320508f * _e2910);
 if _e202 {
 let _e2918 = (0.5f * select(1f, _e2915, (_e2915 > 1f)));
 let _e2920 = select(_e2745, _e2918, (_e2918 > _e2745));
-phi_5715_ = select(8f, _e2920, (_e2920 < 8f));
+phi_5716_ = select(8f, _e2920, (_e2920 < 8f));
 } else {
-phi_5715_ = 1f;
+phi_5716_ = 1f;
 }
-let _e2924 = phi_5715_;
+let _e2924 = phi_5716_;
 let _e2926 = (_e2835 - _e2773);
 let _e2927 = (_e2802 - _e2802);
 let _e2930 = bitcast<f32>((bitcast<u32>(_e2926) & 2147483647u));
@@ -1570,15 +1582,15 @@ let _e3039 = (_e3035 - select(0i, 1i, (_e3028 < f32(_e3035))));
 let _e3041 = (1f / f32(_e3023));
 let _e3043 = (1f / f32(_e3039));
 let _e3046 = ((_e3041 * _e3043) * (_e2913 * 0.25f));
-phi_5928_ = 0i;
+phi_5929_ = 0i;
 loop {
-let _e3048 = phi_5928_;
+let _e3048 = phi_5929_;
 let _e3049 = (_e3048 < _e3039);
 if _e3049 {
 let _e3052 = ((f32(_e3048) + 0.5f) * _e3043);
-phi_5963_ = 0i;
+phi_5964_ = 0i;
 loop {
-let _e3060 = phi_5963_;
+let _e3060 = phi_5964_;
 let _e3061 = (_e3060 < _e3023);
 if _e3061 {
 let _e3064 = ((f32(_e3060) + 0.5f) * _e3041);
@@ -1597,11 +1609,11 @@ let _e3098 = (9.765625e-4f * 9.765625e-4f);
 let _e3101 = (_e3080 / select(_e3098, _e3083, (_e3083 > _e3098)));
 let _e3106 = (_e3080 / select(_e3098, _e3086, (_e3086 > _e3098)));
 if ((_e3089 * _e3086) <= (_e3093 * _e3083)) {
-phi_6054_ = vec2<f32>(_e3083, select(_e3094, _e3101, (_e3101 < _e3094)));
+phi_6055_ = vec2<f32>(_e3083, select(_e3094, _e3101, (_e3101 < _e3094)));
 } else {
-phi_6054_ = vec2<f32>(select(_e3090, _e3106, (_e3106 < _e3090)), _e3086);
+phi_6055_ = vec2<f32>(select(_e3090, _e3106, (_e3106 < _e3090)), _e3086);
 }
-let _e3112 = phi_6054_;
+let _e3112 = phi_6055_;
 let _e3116 = (_e2773 + (_e2926 * _e3064));
 let _e3119 = (_e3116 + ((_e3116 - _e3116) * _e3052));
 let _e3121 = (_e2802 + (_e2927 * _e3064));
@@ -1623,9 +1635,9 @@ let _e3431 = (1f * 1f);
 let _e3433 = select(_e3431, _e3430, (_e3430 > _e3431));
 let _e3436 = sqrt(select(0f, _e3433, (_e3433 > 0f)));
 let _e3438 = (1f / (_e3436 * _e3436));
-phi_6183_ = 0i;
+phi_6184_ = 0i;
 loop {
-let _e3443 = phi_6183_;
+let _e3443 = phi_6184_;
 let _e3444 = (_e3443 < 4i);
 if _e3444 {
 let _e3446 = f32((_e3443 & 1i));
@@ -1659,18 +1671,18 @@ let _e3530 = (_e3475 + 0.5f);
 let _e3532 = select(0f, _e3530, (_e3530 > 0f));
 let _e3534 = select(65536f, _e3532, (_e3532 < 65536f));
 let _e3541 = select(0i, select(select(i32(_e3534), i32(-2147483648), (_e3534 < -2147483600f)), 2147483647i, (_e3534 > 2147483500f)), (_e3534 == _e3534));
-phi_6340_ = (_e3541 - select(0i, 1i, (_e3534 < f32(_e3541))));
+phi_6341_ = (_e3541 - select(0i, 1i, (_e3534 < f32(_e3541))));
 loop {
-let _e3547 = phi_6340_;
+let _e3547 = phi_6341_;
 let _e3548 = (_e3547 <= (_e3525 - select(0i, 1i, (_e3518 < f32(_e3525)))));
 if _e3548 {
 let _e3549 = f32(_e3547);
 let _e3550 = (_e3549 - 0.5f);
 let _e3553 = (_e3549 + 0.5f);
 let _e3556 = (select(_e3553, _e3511, (_e3511 < _e3553)) - select(_e3550, _e3475, (_e3475 > _e3550)));
-phi_6372_ = (_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))));
+phi_6373_ = (_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))));
 loop {
-let _e3561 = phi_6372_;
+let _e3561 = phi_6373_;
 let _e3562 = (_e3561 <= (_e3506 - select(0i, 1i, (_e3499 < f32(_e3506)))));
 if _e3562 {
 let _e3563 = f32(_e3561);
@@ -1692,11 +1704,11 @@ if ((_e3597 | _e3600) == 0u) {
 let _e3603 = bitcast<u32>(_e3578);
 if (_e3603 < _e63) {
 let _e3607 = atomicAdd((&global_3.member[_e3603]), _e3597);
-phi_6453_ = _e3607;
+phi_6454_ = _e3607;
 } else {
-phi_6453_ = 0u;
+phi_6454_ = 0u;
 }
-let _e3609 = phi_6453_;
+let _e3609 = phi_6454_;
 let _e3613 = (_e3600 + select(0u, 1u, ((_e3609 + _e3597) < _e3597)));
 if (_e3613 == 0u) {
 } else {
@@ -1718,11 +1730,11 @@ if ((_e3639 | _e3642) == 0u) {
 let _e3645 = bitcast<u32>((_e3578 + 2i));
 if (_e3645 < _e63) {
 let _e3649 = atomicAdd((&global_3.member[_e3645]), _e3639);
-phi_6511_ = _e3649;
+phi_6512_ = _e3649;
 } else {
-phi_6511_ = 0u;
+phi_6512_ = 0u;
 }
-let _e3651 = phi_6511_;
+let _e3651 = phi_6512_;
 let _e3655 = (_e3642 + select(0u, 1u, ((_e3651 + _e3639) < _e3639)));
 if (_e3655 == 0u) {
 } else {
@@ -1744,11 +1756,11 @@ if ((_e3681 | _e3684) == 0u) {
 let _e3687 = bitcast<u32>((_e3578 + 4i));
 if (_e3687 < _e63) {
 let _e3691 = atomicAdd((&global_3.member[_e3687]), _e3681);
-phi_6569_ = _e3691;
+phi_6570_ = _e3691;
 } else {
-phi_6569_ = 0u;
+phi_6570_ = 0u;
 }
-let _e3693 = phi_6569_;
+let _e3693 = phi_6570_;
 let _e3697 = (_e3684 + select(0u, 1u, ((_e3693 + _e3681) < _e3681)));
 if (_e3697 == 0u) {
 } else {
@@ -1759,36 +1771,36 @@ let _e3703 = atomicAdd((&global_3.member[_e3699]), _e3697);
 }
 }
 }
-phi_6373_ = (_e3561 + 1i);
+phi_6374_ = (_e3561 + 1i);
 } else {
-phi_6373_ = i32();
+phi_6374_ = i32();
 }
-let _e3706 = phi_6373_;
+let _e3706 = phi_6374_;
 continue;
 continuing {
-phi_6372_ = _e3706;
+phi_6373_ = _e3706;
 break if !(_e3562);
 }
 }
-phi_6341_ = (_e3547 + 1i);
+phi_6342_ = (_e3547 + 1i);
 } else {
-phi_6341_ = i32();
+phi_6342_ = i32();
 }
-let _e3710 = phi_6341_;
+let _e3710 = phi_6342_;
 continue;
 continuing {
-phi_6340_ = _e3710;
+phi_6341_ = _e3710;
 break if !(_e3548);
 }
 }
-phi_6184_ = (_e3443 + 1i);
+phi_6185_ = (_e3443 + 1i);
 } else {
-phi_6184_ = i32();
+phi_6185_ = i32();
 }
-let _e3714 = phi_6184_;
+let _e3714 = phi_6185_;
 continue;
 continuing {
-phi_6183_ = _e3714;
+phi_6184_ = _e3714;
 break if !(_e3444);
 }
 }
@@ -1819,18 +1831,18 @@ let _e3235 = (_e3180 + 0.5f);
 let _e3237 = select(0f, _e3235, (_e3235 > 0f));
 let _e3239 = select(65536f, _e3237, (_e3237 < 65536f));
 let _e3246 = select(0i, select(select(i32(_e3239), i32(-2147483648), (_e3239 < -2147483600f)), 2147483647i, (_e3239 > 2147483500f)), (_e3239 == _e3239));
-phi_6723_ = (_e3246 - select(0i, 1i, (_e3239 < f32(_e3246))));
+phi_6724_ = (_e3246 - select(0i, 1i, (_e3239 < f32(_e3246))));
 loop {
-let _e3252 = phi_6723_;
+let _e3252 = phi_6724_;
 let _e3253 = (_e3252 <= (_e3230 - select(0i, 1i, (_e3223 < f32(_e3230)))));
 if _e3253 {
 let _e3254 = f32(_e3252);
 let _e3255 = (_e3254 - 0.5f);
 let _e3258 = (_e3254 + 0.5f);
 let _e3261 = (select(_e3258, _e3216, (_e3216 < _e3258)) - select(_e3255, _e3180, (_e3180 > _e3255)));
-phi_6755_ = (_e3192 - select(0i, 1i, (_e3185 < f32(_e3192))));
+phi_6756_ = (_e3192 - select(0i, 1i, (_e3185 < f32(_e3192))));
 loop {
-let _e3266 = phi_6755_;
+let _e3266 = phi_6756_;
 let _e3267 = (_e3266 <= (_e3211 - select(0i, 1i, (_e3204 < f32(_e3211)))));
 if _e3267 {
 let _e3268 = f32(_e3266);
@@ -1852,11 +1864,11 @@ if ((_e3302 | _e3305) == 0u) {
 let _e3308 = bitcast<u32>(_e3283);
 if (_e3308 < _e63) {
 let _e3312 = atomicAdd((&global_3.member[_e3308]), _e3302);
-phi_6836_ = _e3312;
+phi_6837_ = _e3312;
 } else {
-phi_6836_ = 0u;
+phi_6837_ = 0u;
 }
-let _e3314 = phi_6836_;
+let _e3314 = phi_6837_;
 let _e3318 = (_e3305 + select(0u, 1u, ((_e3314 + _e3302) < _e3302)));
 if (_e3318 == 0u) {
 } else {
@@ -1878,11 +1890,11 @@ if ((_e3344 | _e3347) == 0u) {
 let _e3350 = bitcast<u32>((_e3283 + 2i));
 if (_e3350 < _e63) {
 let _e3354 = atomicAdd((&global_3.member[_e3350]), _e3344);
-phi_6894_ = _e3354;
+phi_6895_ = _e3354;
 } else {
-phi_6894_ = 0u;
+phi_6895_ = 0u;
 }
-let _e3356 = phi_6894_;
+let _e3356 = phi_6895_;
 let _e3360 = (_e3347 + select(0u, 1u, ((_e3356 + _e3344) < _e3344)));
 if (_e3360 == 0u) {
 } else {
@@ -1904,11 +1916,11 @@ if ((_e3386 | _e3389) == 0u) {
 let _e3392 = bitcast<u32>((_e3283 + 4i));
 if (_e3392 < _e63) {
 let _e3396 = atomicAdd((&global_3.member[_e3392]), _e3386);
-phi_6952_ = _e3396;
+phi_6953_ = _e3396;
 } else {
-phi_6952_ = 0u;
+phi_6953_ = 0u;
 }
-let _e3398 = phi_6952_;
+let _e3398 = phi_6953_;
 let _e3402 = (_e3389 + select(0u, 1u, ((_e3398 + _e3386) < _e3386)));
 if (_e3402 == 0u) {
 } else {
@@ -1919,48 +1931,48 @@ let _e3408 = atomicAdd((&global_3.member[_e3404]), _e3402);
 }
 }
 }
-phi_6756_ = (_e3266 + 1i);
+phi_6757_ = (_e3266 + 1i);
 } else {
-phi_6756_ = i32();
+phi_6757_ = i32();
 }
-let _e3411 = phi_6756_;
+let _e3411 = phi_6757_;
 continue;
 continuing {
-phi_6755_ = _e3411;
+phi_6756_ = _e3411;
 break if !(_e3267);
 }
 }
-phi_6724_ = (_e3252 + 1i);
+phi_6725_ = (_e3252 + 1i);
 } else {
-phi_6724_ = i32();
+phi_6725_ = i32();
 }
-let _e3415 = phi_6724_;
+let _e3415 = phi_6725_;
 continue;
 continuing {
-phi_6723_ = _e3415;
+phi_6724_ = _e3415;
 break if !(_e3253);
 }
 }
 }
-phi_5964_ = (_e3060 + 1i);
+phi_5965_ = (_e3060 + 1i);
 } else {
-phi_5964_ = i32();
+phi_5965_ = i32();
 }
-let _e3718 = phi_5964_;
+let _e3718 = phi_5965_;
 continue;
 continuing {
-phi_5963_ = _e3718;
+phi_5964_ = _e3718;
 break if !(_e3061);
 }
 }
-phi_5929_ = (_e3048 + 1i);
+phi_5930_ = (_e3048 + 1i);
 } else {
-phi_5929_ = i32();
+phi_5930_ = i32();
 }
-let _e3722 = phi_5929_;
+let _e3722 = phi_5930_;
 continue;
 continuing {
-phi_5928_ = _e3722;
+phi_5929_ = _e3722;
 break if !(_e3049);
 }
 }

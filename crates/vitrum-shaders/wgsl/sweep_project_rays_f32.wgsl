@@ -121,6 +121,18 @@ member: type_8,
 member_1: u32,
 }
 struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+}
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -135,7 +147,7 @@ member_10: f32,
 member_11: f32,
 member_12: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_3,
@@ -156,83 +168,83 @@ member_16: type_19,
 member_17: type_19,
 member_18: type_19,
 member_19: type_19,
-member_20: type_7,
+member_20: type_20,
 member_21: f32,
 member_22: f32,
-member_23: type_20,
+member_23: type_21,
 }
-struct type_23 {
+struct type_24 {
 member: array<u32>,
 }
-struct type_25 {
+struct type_26 {
 member: array<f32>,
 }
-struct type_28 {
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: f32,
 }
-struct type_33 {
-member: array<type_21>,
+struct type_34 {
+member: array<type_22>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(0)
-var<storage> global_2: type_33;
+var<storage> global_2: type_34;
 @group(0) @binding(3)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
-var local: type_28;
+var local: type_29;
 var local_1: vec3<f32>;
-var local_2: type_28;
+var local_2: type_29;
 var local_3: vec3<f32>;
-var local_4: type_28;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_28;
+var local_6: type_29;
 var local_7: vec3<f32>;
-var local_8: type_28;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_28;
+var local_10: type_29;
 var local_11: vec3<f32>;
-var local_12: type_28;
+var local_12: type_29;
 var local_13: vec3<f32>;
-var local_14: type_28;
+var local_14: type_29;
 var local_15: vec3<f32>;
-var local_16: type_28;
+var local_16: type_29;
 var local_17: vec3<f32>;
-var phi_624_: u32;
-var phi_627_: bool;
-var phi_629_: array<f32, 23>;
-var phi_993_: bool;
-var phi_1889_: type_31;
-var phi_2110_: vec3<f32>;
-var phi_2727_: vec3<f32>;
-var phi_3344_: vec3<f32>;
-var phi_3961_: vec3<f32>;
-var phi_4406_: f32;
-var phi_4614_: vec3<f32>;
-var phi_5036_: bool;
-var phi_5249_: vec3<f32>;
-var phi_5668_: bool;
-var phi_5882_: vec3<f32>;
-var phi_6301_: bool;
-var phi_6515_: vec3<f32>;
-var phi_6934_: bool;
-var phi_7147_: vec3<f32>;
-var phi_7566_: bool;
-var phi_7576_: f32;
-var phi_7577_: f32;
-var phi_7595_: array<f32, 23>;
 var phi_625_: u32;
 var phi_628_: bool;
 var phi_630_: array<f32, 23>;
-var phi_7698_: bool;
+var phi_994_: bool;
+var phi_1890_: type_32;
+var phi_2111_: vec3<f32>;
+var phi_2728_: vec3<f32>;
+var phi_3345_: vec3<f32>;
+var phi_3962_: vec3<f32>;
+var phi_4407_: f32;
+var phi_4615_: vec3<f32>;
+var phi_5037_: bool;
+var phi_5250_: vec3<f32>;
+var phi_5669_: bool;
+var phi_5883_: vec3<f32>;
+var phi_6302_: bool;
+var phi_6516_: vec3<f32>;
+var phi_6935_: bool;
+var phi_7148_: vec3<f32>;
+var phi_7567_: bool;
+var phi_7577_: f32;
+var phi_7578_: f32;
+var phi_7596_: array<f32, 23>;
+var phi_626_: u32;
+var phi_629_: bool;
+var phi_631_: array<f32, 23>;
+var phi_7699_: bool;
 var local_18: bool;
 var local_19: array<f32, 23>;
 var local_20: array<f32, 23>;
@@ -366,13 +378,13 @@ let _e354 = ((22u * _e109) + _e111);
 let _e355 = bitcast<i32>(_e354);
 let _e357 = select(_e114, _e355, (_e355 < _e114));
 let _e363 = global_4.member[bitcast<u32>(select(0i, _e357, (_e357 > 0i)))];
-phi_624_ = 0u;
-phi_627_ = false;
-phi_629_ = array<f32, 23>(_e122, _e132, _e143, _e154, _e165, _e176, _e187, _e198, _e209, _e220, _e231, _e242, _e253, _e264, _e275, _e286, _e297, _e308, _e319, _e330, _e341, _e352, _e363);
+phi_625_ = 0u;
+phi_628_ = false;
+phi_630_ = array<f32, 23>(_e122, _e132, _e143, _e154, _e165, _e176, _e187, _e198, _e209, _e220, _e231, _e242, _e253, _e264, _e275, _e286, _e297, _e308, _e319, _e330, _e341, _e352, _e363);
 loop {
-let _e366 = phi_624_;
-let _e368 = phi_627_;
-let _e370 = phi_629_;
+let _e366 = phi_625_;
+let _e368 = phi_628_;
+let _e370 = phi_630_;
 local_18 = _e368;
 local_19 = _e370;
 local_20 = _e370;
@@ -401,7 +413,7 @@ let _e371 = (_e366 < _e80);
 if _e371 {
 if _e371 {
 } else {
-phi_7698_ = true;
+phi_7699_ = true;
 break;
 }
 let _e375 = global_2.member[_e366].member;
@@ -476,11 +488,11 @@ let _e682 = bitcast<f32>(_e681);
 let _e683 = (_e370[17] == -1.2676506e30f);
 let _e684 = (_e375.member_2 == 0u);
 if _e684 {
-phi_993_ = (_e682 <= _e370[6]);
+phi_994_ = (_e682 <= _e370[6]);
 } else {
-phi_993_ = (_e682 >= _e370[6]);
+phi_994_ = (_e682 >= _e370[6]);
 }
-let _e688 = phi_993_;
+let _e688 = phi_994_;
 let _e690 = !(_e683);
 let _e697 = global_2.member[_e366].member_1;
 let _e705 = (_e483 + 0.5f);
@@ -559,7 +571,7 @@ let _e914 = select(1f, _e907, (_e909 && (_e892 <= 0f)));
 let _e916 = select(_e911, _e889, (_e889 > _e911));
 let _e918 = select(_e914, _e891, (_e891 < _e914));
 if _e735 {
-phi_1889_ = type_31(_e916, _e918);
+phi_1890_ = type_32(_e916, _e918);
 } else {
 let _e924 = global_2.member[_e366].member_16.member;
 let _e935 = ((((_e924.member.member * _e400) + (_e924.member.member_1 * _e402)) + (_e924.member.member_2 * _e390)) + _e924.member_1);
@@ -607,9 +619,9 @@ let _e1096 = select(1f, _e1094, (_e1094 < 1f));
 let _e1098 = (_e1082 > 0f);
 let _e1100 = select(0f, select(_e1096, 2f, _e1098), (_e1076 > 0f));
 let _e1103 = select(1f, _e1096, (_e1098 && (_e1076 <= 0f)));
-phi_1889_ = type_31(select(_e1100, _e1058, (_e1058 > _e1100)), select(_e1103, _e1060, (_e1060 < _e1103)));
+phi_1890_ = type_32(select(_e1100, _e1058, (_e1058 > _e1100)), select(_e1103, _e1060, (_e1060 < _e1103)));
 }
-let _e1110 = phi_1889_;
+let _e1110 = phi_1890_;
 let _e1113 = (_e1110.member_1 > _e1110.member);
 let _e1114 = (_e404 - _e400);
 let _e1115 = (_e406 - _e402);
@@ -632,7 +644,7 @@ let _e1157 = select(_e521, _e1155, (_e1155 < _e521));
 let _e1163 = global_2.member[_e366].member_8.member_15;
 let _e1164 = (_e1163 == 0u);
 if _e1164 {
-phi_2110_ = vec3<f32>(_e1149, _e1153, _e1157);
+phi_2111_ = vec3<f32>(_e1149, _e1153, _e1157);
 } else {
 let _e1165 = (_e1149 + 0.5f);
 let _e1167 = select(0f, _e1165, (_e1165 > 0f));
@@ -646,9 +658,9 @@ let _e1199 = (_e1157 + 0.5f);
 let _e1201 = select(0f, _e1199, (_e1199 > 0f));
 let _e1203 = select(_e629, _e1201, (_e1201 < _e629));
 let _e1210 = select(0i, select(select(i32(_e1203), i32(-2147483648), (_e1203 < -2147483600f)), 2147483647i, (_e1203 > 2147483500f)), (_e1203 == _e1203));
-phi_2110_ = vec3<f32>(f32((_e1176 - select(0i, 1i, (_e1169 < f32(_e1176))))), f32((_e1193 - select(0i, 1i, (_e1186 < f32(_e1193))))), f32((_e1210 - select(0i, 1i, (_e1203 < f32(_e1210))))));
+phi_2111_ = vec3<f32>(f32((_e1176 - select(0i, 1i, (_e1169 < f32(_e1176))))), f32((_e1193 - select(0i, 1i, (_e1186 < f32(_e1193))))), f32((_e1210 - select(0i, 1i, (_e1203 < f32(_e1210))))));
 }
-let _e1218 = phi_2110_;
+let _e1218 = phi_2111_;
 let _e1221 = select(-1f, _e1218.x, (_e1218.x > -1f));
 let _e1223 = select(_e571, _e1221, (_e1221 < _e571));
 let _e1230 = select(0i, select(select(i32(_e1223), i32(-2147483648), (_e1223 < -2147483600f)), 2147483647i, (_e1223 > 2147483500f)), (_e1223 == _e1223));
@@ -675,7 +687,7 @@ let _e1322 = (select(0i, _e1250, (_e1250 > 0i)) * _e1271);
 let _e1323 = (select(_e1284, _e1287, (_e1287 < _e1284)) * _e1271);
 let _e1324 = (select(0i, _e1266, (_e1266 > 0i)) * _e1276);
 let _e1325 = (select(_e1297, _e1300, (_e1300 < _e1297)) * _e1276);
-local_16 = type_28(array<i32, 4>(select(0i, _e1311, (_e1311 > 0i)), select(0i, _e1234, (_e1234 > 0i)), select(_e1310, _e1316, (_e1316 < _e1310)), select(_e1310, _e1319, (_e1319 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_16 = type_29(array<i32, 4>(select(0i, _e1311, (_e1311 > 0i)), select(0i, _e1234, (_e1234 > 0i)), select(_e1310, _e1316, (_e1316 < _e1310)), select(_e1310, _e1319, (_e1319 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_17 = (_e1218 - vec3<f32>(f32(_e1234), f32(_e1250), f32(_e1266)));
 let _e1334 = (_e1324 + _e1322);
 let _e1337 = local_16.member[1u];
@@ -747,7 +759,7 @@ let _e1505 = select(_e505, _e1503, (_e1503 < _e505));
 let _e1507 = select(_e515, _e1497, (_e1497 > _e515));
 let _e1509 = select(_e521, _e1507, (_e1507 < _e521));
 if _e1164 {
-phi_2727_ = vec3<f32>(_e1501, _e1505, _e1509);
+phi_2728_ = vec3<f32>(_e1501, _e1505, _e1509);
 } else {
 let _e1511 = (_e1501 + 0.5f);
 let _e1513 = select(0f, _e1511, (_e1511 > 0f));
@@ -761,9 +773,9 @@ let _e1545 = (_e1509 + 0.5f);
 let _e1547 = select(0f, _e1545, (_e1545 > 0f));
 let _e1549 = select(_e629, _e1547, (_e1547 < _e629));
 let _e1556 = select(0i, select(select(i32(_e1549), i32(-2147483648), (_e1549 < -2147483600f)), 2147483647i, (_e1549 > 2147483500f)), (_e1549 == _e1549));
-phi_2727_ = vec3<f32>(f32((_e1522 - select(0i, 1i, (_e1515 < f32(_e1522))))), f32((_e1539 - select(0i, 1i, (_e1532 < f32(_e1539))))), f32((_e1556 - select(0i, 1i, (_e1549 < f32(_e1556))))));
+phi_2728_ = vec3<f32>(f32((_e1522 - select(0i, 1i, (_e1515 < f32(_e1522))))), f32((_e1539 - select(0i, 1i, (_e1532 < f32(_e1539))))), f32((_e1556 - select(0i, 1i, (_e1549 < f32(_e1556))))));
 }
-let _e1564 = phi_2727_;
+let _e1564 = phi_2728_;
 let _e1567 = select(-1f, _e1564.x, (_e1564.x > -1f));
 let _e1569 = select(_e571, _e1567, (_e1567 < _e571));
 let _e1576 = select(0i, select(select(i32(_e1569), i32(-2147483648), (_e1569 < -2147483600f)), 2147483647i, (_e1569 > 2147483500f)), (_e1569 == _e1569));
@@ -785,7 +797,7 @@ let _e1634 = (select(0i, _e1596, (_e1596 > 0i)) * _e1271);
 let _e1635 = (select(_e1284, _e1615, (_e1615 < _e1284)) * _e1271);
 let _e1636 = (select(0i, _e1612, (_e1612 > 0i)) * _e1276);
 let _e1637 = (select(_e1297, _e1620, (_e1620 < _e1297)) * _e1276);
-local_14 = type_28(array<i32, 4>(select(0i, _e1623, (_e1623 > 0i)), select(0i, _e1580, (_e1580 > 0i)), select(_e1310, _e1628, (_e1628 < _e1310)), select(_e1310, _e1631, (_e1631 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_14 = type_29(array<i32, 4>(select(0i, _e1623, (_e1623 > 0i)), select(0i, _e1580, (_e1580 > 0i)), select(_e1310, _e1628, (_e1628 < _e1310)), select(_e1310, _e1631, (_e1631 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_15 = (_e1564 - vec3<f32>(f32(_e1580), f32(_e1596), f32(_e1612)));
 let _e1646 = (_e1636 + _e1634);
 let _e1649 = local_14.member[1u];
@@ -853,7 +865,7 @@ let _e1804 = select(_e505, _e1802, (_e1802 < _e505));
 let _e1806 = select(_e515, _e1796, (_e1796 > _e515));
 let _e1808 = select(_e521, _e1806, (_e1806 < _e521));
 if _e1164 {
-phi_3344_ = vec3<f32>(_e1800, _e1804, _e1808);
+phi_3345_ = vec3<f32>(_e1800, _e1804, _e1808);
 } else {
 let _e1810 = (_e1800 + 0.5f);
 let _e1812 = select(0f, _e1810, (_e1810 > 0f));
@@ -867,9 +879,9 @@ let _e1844 = (_e1808 + 0.5f);
 let _e1846 = select(0f, _e1844, (_e1844 > 0f));
 let _e1848 = select(_e629, _e1846, (_e1846 < _e629));
 let _e1855 = select(0i, select(select(i32(_e1848), i32(-2147483648), (_e1848 < -2147483600f)), 2147483647i, (_e1848 > 2147483500f)), (_e1848 == _e1848));
-phi_3344_ = vec3<f32>(f32((_e1821 - select(0i, 1i, (_e1814 < f32(_e1821))))), f32((_e1838 - select(0i, 1i, (_e1831 < f32(_e1838))))), f32((_e1855 - select(0i, 1i, (_e1848 < f32(_e1855))))));
+phi_3345_ = vec3<f32>(f32((_e1821 - select(0i, 1i, (_e1814 < f32(_e1821))))), f32((_e1838 - select(0i, 1i, (_e1831 < f32(_e1838))))), f32((_e1855 - select(0i, 1i, (_e1848 < f32(_e1855))))));
 }
-let _e1863 = phi_3344_;
+let _e1863 = phi_3345_;
 let _e1866 = select(-1f, _e1863.x, (_e1863.x > -1f));
 let _e1868 = select(_e571, _e1866, (_e1866 < _e571));
 let _e1875 = select(0i, select(select(i32(_e1868), i32(-2147483648), (_e1868 < -2147483600f)), 2147483647i, (_e1868 > 2147483500f)), (_e1868 == _e1868));
@@ -891,7 +903,7 @@ let _e1933 = (select(0i, _e1895, (_e1895 > 0i)) * _e1271);
 let _e1934 = (select(_e1284, _e1914, (_e1914 < _e1284)) * _e1271);
 let _e1935 = (select(0i, _e1911, (_e1911 > 0i)) * _e1276);
 let _e1936 = (select(_e1297, _e1919, (_e1919 < _e1297)) * _e1276);
-local_12 = type_28(array<i32, 4>(select(0i, _e1922, (_e1922 > 0i)), select(0i, _e1879, (_e1879 > 0i)), select(_e1310, _e1927, (_e1927 < _e1310)), select(_e1310, _e1930, (_e1930 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_12 = type_29(array<i32, 4>(select(0i, _e1922, (_e1922 > 0i)), select(0i, _e1879, (_e1879 > 0i)), select(_e1310, _e1927, (_e1927 < _e1310)), select(_e1310, _e1930, (_e1930 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_13 = (_e1863 - vec3<f32>(f32(_e1879), f32(_e1895), f32(_e1911)));
 let _e1945 = (_e1935 + _e1933);
 let _e1948 = local_12.member[1u];
@@ -959,7 +971,7 @@ let _e2103 = select(_e505, _e2101, (_e2101 < _e505));
 let _e2105 = select(_e515, _e2095, (_e2095 > _e515));
 let _e2107 = select(_e521, _e2105, (_e2105 < _e521));
 if _e1164 {
-phi_3961_ = vec3<f32>(_e2099, _e2103, _e2107);
+phi_3962_ = vec3<f32>(_e2099, _e2103, _e2107);
 } else {
 let _e2109 = (_e2099 + 0.5f);
 let _e2111 = select(0f, _e2109, (_e2109 > 0f));
@@ -973,9 +985,9 @@ let _e2143 = (_e2107 + 0.5f);
 let _e2145 = select(0f, _e2143, (_e2143 > 0f));
 let _e2147 = select(_e629, _e2145, (_e2145 < _e629));
 let _e2154 = select(0i, select(select(i32(_e2147), i32(-2147483648), (_e2147 < -2147483600f)), 2147483647i, (_e2147 > 2147483500f)), (_e2147 == _e2147));
-phi_3961_ = vec3<f32>(f32((_e2120 - select(0i, 1i, (_e2113 < f32(_e2120))))), f32((_e2137 - select(0i, 1i, (_e2130 < f32(_e2137))))), f32((_e2154 - select(0i, 1i, (_e2147 < f32(_e2154))))));
+phi_3962_ = vec3<f32>(f32((_e2120 - select(0i, 1i, (_e2113 < f32(_e2120))))), f32((_e2137 - select(0i, 1i, (_e2130 < f32(_e2137))))), f32((_e2154 - select(0i, 1i, (_e2147 < f32(_e2154))))));
 }
-let _e2162 = phi_3961_;
+let _e2162 = phi_3962_;
 let _e2165 = select(-1f, _e2162.x, (_e2162.x > -1f));
 let _e2167 = select(_e571, _e2165, (_e2165 < _e571));
 let _e2174 = select(0i, select(select(i32(_e2167), i32(-2147483648), (_e2167 < -2147483600f)), 2147483647i, (_e2167 > 2147483500f)), (_e2167 == _e2167));
@@ -997,7 +1009,7 @@ let _e2232 = (select(0i, _e2194, (_e2194 > 0i)) * _e1271);
 let _e2233 = (select(_e1284, _e2213, (_e2213 < _e1284)) * _e1271);
 let _e2234 = (select(0i, _e2210, (_e2210 > 0i)) * _e1276);
 let _e2235 = (select(_e1297, _e2218, (_e2218 < _e1297)) * _e1276);
-local_10 = type_28(array<i32, 4>(select(0i, _e2221, (_e2221 > 0i)), select(0i, _e2178, (_e2178 > 0i)), select(_e1310, _e2226, (_e2226 < _e1310)), select(_e1310, _e2229, (_e2229 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_10 = type_29(array<i32, 4>(select(0i, _e2221, (_e2221 > 0i)), select(0i, _e2178, (_e2178 > 0i)), select(_e1310, _e2226, (_e2226 < _e1310)), select(_e1310, _e2229, (_e2229 < _e1310))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_11 = (_e2162 - vec3<f32>(f32(_e2178), f32(_e2194), f32(_e2210)));
 let _e2244 = (_e2234 + _e2232);
 let _e2247 = local_10.member[1u];
@@ -1053,15 +1065,15 @@ let _e2363 = (((_e2302 + (((_e2327 + (((_e2338 + ((bitcast<f32>(_e2347) - _e2338
 let _e2365 = select(_e1466, _e2363, (_e2363 > _e1466));
 let _e2372 = (((_e1114 * _e1114) + (_e1115 * _e1115)) + (_e1116 * _e1116));
 let _e2377 = select(0f, (sqrt(select(0f, _e2372, (_e2372 > 0f))) * _e1119), _e1113);
-phi_7576_ = (_e370[8] + _e2377);
-phi_7577_ = (_e370[6] + ((((select(1e9f, _e1468, (_e1468 < 1e9f)) + select(1e9f, _e1767, (_e1767 < 1e9f))) + (select(1e9f, _e2066, (_e2066 < 1e9f)) + select(1e9f, _e2365, (_e2365 < 1e9f)))) * 0.25f) * _e2377));
+phi_7577_ = (_e370[8] + _e2377);
+phi_7578_ = (_e370[6] + ((((select(1e9f, _e1468, (_e1468 < 1e9f)) + select(1e9f, _e1767, (_e1767 < 1e9f))) + (select(1e9f, _e2066, (_e2066 < 1e9f)) + select(1e9f, _e2365, (_e2365 < 1e9f)))) * 0.25f) * _e2377));
 } else {
 if _e684 {
-phi_4406_ = -(2e9f);
+phi_4407_ = -(2e9f);
 } else {
-phi_4406_ = 2e9f;
+phi_4407_ = 2e9f;
 }
-let _e2387 = phi_4406_;
+let _e2387 = phi_4407_;
 let _e2388 = select(_e370[6], _e2387, _e683);
 let _e2389 = (_e1110.member_1 - _e1110.member);
 let _e2391 = (_e1110.member + (_e2389 * 0f));
@@ -1080,7 +1092,7 @@ let _e2427 = select(_e521, _e2425, (_e2425 < _e521));
 let _e2433 = global_2.member[_e366].member_8.member_15;
 let _e2434 = (_e2433 == 0u);
 if _e2434 {
-phi_4614_ = vec3<f32>(_e2419, _e2423, _e2427);
+phi_4615_ = vec3<f32>(_e2419, _e2423, _e2427);
 } else {
 let _e2435 = (_e2419 + 0.5f);
 let _e2437 = select(0f, _e2435, (_e2435 > 0f));
@@ -1094,9 +1106,9 @@ let _e2469 = (_e2427 + 0.5f);
 let _e2471 = select(0f, _e2469, (_e2469 > 0f));
 let _e2473 = select(_e629, _e2471, (_e2471 < _e629));
 let _e2480 = select(0i, select(select(i32(_e2473), i32(-2147483648), (_e2473 < -2147483600f)), 2147483647i, (_e2473 > 2147483500f)), (_e2473 == _e2473));
-phi_4614_ = vec3<f32>(f32((_e2446 - select(0i, 1i, (_e2439 < f32(_e2446))))), f32((_e2463 - select(0i, 1i, (_e2456 < f32(_e2463))))), f32((_e2480 - select(0i, 1i, (_e2473 < f32(_e2480))))));
+phi_4615_ = vec3<f32>(f32((_e2446 - select(0i, 1i, (_e2439 < f32(_e2446))))), f32((_e2463 - select(0i, 1i, (_e2456 < f32(_e2463))))), f32((_e2480 - select(0i, 1i, (_e2473 < f32(_e2480))))));
 }
-let _e2488 = phi_4614_;
+let _e2488 = phi_4615_;
 let _e2491 = select(-1f, _e2488.x, (_e2488.x > -1f));
 let _e2493 = select(_e571, _e2491, (_e2491 < _e571));
 let _e2500 = select(0i, select(select(i32(_e2493), i32(-2147483648), (_e2493 < -2147483600f)), 2147483647i, (_e2493 > 2147483500f)), (_e2493 == _e2493));
@@ -1123,7 +1135,7 @@ let _e2592 = (select(0i, _e2520, (_e2520 > 0i)) * _e2541);
 let _e2593 = (select(_e2554, _e2557, (_e2557 < _e2554)) * _e2541);
 let _e2594 = (select(0i, _e2536, (_e2536 > 0i)) * _e2546);
 let _e2595 = (select(_e2567, _e2570, (_e2570 < _e2567)) * _e2546);
-local_8 = type_28(array<i32, 4>(select(0i, _e2581, (_e2581 > 0i)), select(0i, _e2504, (_e2504 > 0i)), select(_e2580, _e2586, (_e2586 < _e2580)), select(_e2580, _e2589, (_e2589 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_8 = type_29(array<i32, 4>(select(0i, _e2581, (_e2581 > 0i)), select(0i, _e2504, (_e2504 > 0i)), select(_e2580, _e2586, (_e2586 < _e2580)), select(_e2580, _e2589, (_e2589 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_9 = (_e2488 - vec3<f32>(f32(_e2504), f32(_e2520), f32(_e2536)));
 let _e2604 = (_e2594 + _e2592);
 let _e2607 = local_8.member[1u];
@@ -1183,11 +1195,11 @@ let _e2736 = -(1e9f);
 let _e2738 = select(_e2736, _e2735, (_e2735 > _e2736));
 let _e2740 = select(1e9f, _e2738, (_e2738 < 1e9f));
 if _e684 {
-phi_5036_ = (_e2740 > _e2388);
+phi_5037_ = (_e2740 > _e2388);
 } else {
-phi_5036_ = (_e2740 < _e2388);
+phi_5037_ = (_e2740 < _e2388);
 }
-let _e2747 = phi_5036_;
+let _e2747 = phi_5037_;
 let _e2748 = ((_e1113 && (_e683 || (_e1110.member > 0f))) && _e2747);
 let _e2749 = select(_e2388, _e2740, _e2748);
 let _e2752 = (_e1110.member + (_e2389 * 0.25f));
@@ -1204,7 +1216,7 @@ let _e2784 = select(_e505, _e2782, (_e2782 < _e505));
 let _e2786 = select(_e515, _e2776, (_e2776 > _e515));
 let _e2788 = select(_e521, _e2786, (_e2786 < _e521));
 if _e2434 {
-phi_5249_ = vec3<f32>(_e2780, _e2784, _e2788);
+phi_5250_ = vec3<f32>(_e2780, _e2784, _e2788);
 } else {
 let _e2790 = (_e2780 + 0.5f);
 let _e2792 = select(0f, _e2790, (_e2790 > 0f));
@@ -1218,9 +1230,9 @@ let _e2824 = (_e2788 + 0.5f);
 let _e2826 = select(0f, _e2824, (_e2824 > 0f));
 let _e2828 = select(_e629, _e2826, (_e2826 < _e629));
 let _e2835 = select(0i, select(select(i32(_e2828), i32(-2147483648), (_e2828 < -2147483600f)), 2147483647i, (_e2828 > 2147483500f)), (_e2828 == _e2828));
-phi_5249_ = vec3<f32>(f32((_e2801 - select(0i, 1i, (_e2794 < f32(_e2801))))), f32((_e2818 - select(0i, 1i, (_e2811 < f32(_e2818))))), f32((_e2835 - select(0i, 1i, (_e2828 < f32(_e2835))))));
+phi_5250_ = vec3<f32>(f32((_e2801 - select(0i, 1i, (_e2794 < f32(_e2801))))), f32((_e2818 - select(0i, 1i, (_e2811 < f32(_e2818))))), f32((_e2835 - select(0i, 1i, (_e2828 < f32(_e2835))))));
 }
-let _e2843 = phi_5249_;
+let _e2843 = phi_5250_;
 let _e2846 = select(-1f, _e2843.x, (_e2843.x > -1f));
 let _e2848 = select(_e571, _e2846, (_e2846 < _e571));
 let _e2855 = select(0i, select(select(i32(_e2848), i32(-2147483648), (_e2848 < -2147483600f)), 2147483647i, (_e2848 > 2147483500f)), (_e2848 == _e2848));
@@ -1242,7 +1254,7 @@ let _e2913 = (select(0i, _e2875, (_e2875 > 0i)) * _e2541);
 let _e2914 = (select(_e2554, _e2894, (_e2894 < _e2554)) * _e2541);
 let _e2915 = (select(0i, _e2891, (_e2891 > 0i)) * _e2546);
 let _e2916 = (select(_e2567, _e2899, (_e2899 < _e2567)) * _e2546);
-local_6 = type_28(array<i32, 4>(select(0i, _e2902, (_e2902 > 0i)), select(0i, _e2859, (_e2859 > 0i)), select(_e2580, _e2907, (_e2907 < _e2580)), select(_e2580, _e2910, (_e2910 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_29(array<i32, 4>(select(0i, _e2902, (_e2902 > 0i)), select(0i, _e2859, (_e2859 > 0i)), select(_e2580, _e2907, (_e2907 < _e2580)), select(_e2580, _e2910, (_e2910 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = (_e2843 - vec3<f32>(f32(_e2859), f32(_e2875), f32(_e2891)));
 let _e2925 = (_e2915 + _e2913);
 let _e2928 = local_6.member[1u];
@@ -1298,11 +1310,11 @@ let _e3044 = (((_e2983 + (((_e3008 + (((_e3019 + ((bitcast<f32>(_e3028) - _e3019
 let _e3046 = select(_e2736, _e3044, (_e3044 > _e2736));
 let _e3048 = select(1e9f, _e3046, (_e3046 < 1e9f));
 if _e684 {
-phi_5668_ = (_e3048 > _e2749);
+phi_5669_ = (_e3048 > _e2749);
 } else {
-phi_5668_ = (_e3048 < _e2749);
+phi_5669_ = (_e3048 < _e2749);
 }
-let _e3052 = phi_5668_;
+let _e3052 = phi_5669_;
 let _e3053 = (_e1113 && _e3052);
 let _e3054 = select(_e2749, _e3048, _e3053);
 let _e3058 = (_e1110.member + (_e2389 * (2f * 0.25f)));
@@ -1319,7 +1331,7 @@ let _e3090 = select(_e505, _e3088, (_e3088 < _e505));
 let _e3092 = select(_e515, _e3082, (_e3082 > _e515));
 let _e3094 = select(_e521, _e3092, (_e3092 < _e521));
 if _e2434 {
-phi_5882_ = vec3<f32>(_e3086, _e3090, _e3094);
+phi_5883_ = vec3<f32>(_e3086, _e3090, _e3094);
 } else {
 let _e3096 = (_e3086 + 0.5f);
 let _e3098 = select(0f, _e3096, (_e3096 > 0f));
@@ -1333,9 +1345,9 @@ let _e3130 = (_e3094 + 0.5f);
 let _e3132 = select(0f, _e3130, (_e3130 > 0f));
 let _e3134 = select(_e629, _e3132, (_e3132 < _e629));
 let _e3141 = select(0i, select(select(i32(_e3134), i32(-2147483648), (_e3134 < -2147483600f)), 2147483647i, (_e3134 > 2147483500f)), (_e3134 == _e3134));
-phi_5882_ = vec3<f32>(f32((_e3107 - select(0i, 1i, (_e3100 < f32(_e3107))))), f32((_e3124 - select(0i, 1i, (_e3117 < f32(_e3124))))), f32((_e3141 - select(0i, 1i, (_e3134 < f32(_e3141))))));
+phi_5883_ = vec3<f32>(f32((_e3107 - select(0i, 1i, (_e3100 < f32(_e3107))))), f32((_e3124 - select(0i, 1i, (_e3117 < f32(_e3124))))), f32((_e3141 - select(0i, 1i, (_e3134 < f32(_e3141))))));
 }
-let _e3149 = phi_5882_;
+let _e3149 = phi_5883_;
 let _e3152 = select(-1f, _e3149.x, (_e3149.x > -1f));
 let _e3154 = select(_e571, _e3152, (_e3152 < _e571));
 let _e3161 = select(0i, select(select(i32(_e3154), i32(-2147483648), (_e3154 < -2147483600f)), 2147483647i, (_e3154 > 2147483500f)), (_e3154 == _e3154));
@@ -1357,7 +1369,7 @@ let _e3219 = (select(0i, _e3181, (_e3181 > 0i)) * _e2541);
 let _e3220 = (select(_e2554, _e3200, (_e3200 < _e2554)) * _e2541);
 let _e3221 = (select(0i, _e3197, (_e3197 > 0i)) * _e2546);
 let _e3222 = (select(_e2567, _e3205, (_e3205 < _e2567)) * _e2546);
-local_4 = type_28(array<i32, 4>(select(0i, _e3208, (_e3208 > 0i)), select(0i, _e3165, (_e3165 > 0i)), select(_e2580, _e3213, (_e3213 < _e2580)), select(_e2580, _e3216, (_e3216 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_29(array<i32, 4>(select(0i, _e3208, (_e3208 > 0i)), select(0i, _e3165, (_e3165 > 0i)), select(_e2580, _e3213, (_e3213 < _e2580)), select(_e2580, _e3216, (_e3216 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = (_e3149 - vec3<f32>(f32(_e3165), f32(_e3181), f32(_e3197)));
 let _e3231 = (_e3221 + _e3219);
 let _e3234 = local_4.member[1u];
@@ -1413,11 +1425,11 @@ let _e3350 = (((_e3289 + (((_e3314 + (((_e3325 + ((bitcast<f32>(_e3334) - _e3325
 let _e3352 = select(_e2736, _e3350, (_e3350 > _e2736));
 let _e3354 = select(1e9f, _e3352, (_e3352 < 1e9f));
 if _e684 {
-phi_6301_ = (_e3354 > _e3054);
+phi_6302_ = (_e3354 > _e3054);
 } else {
-phi_6301_ = (_e3354 < _e3054);
+phi_6302_ = (_e3354 < _e3054);
 }
-let _e3358 = phi_6301_;
+let _e3358 = phi_6302_;
 let _e3359 = (_e1113 && _e3358);
 let _e3360 = select(_e3054, _e3354, _e3359);
 let _e3364 = (_e1110.member + (_e2389 * (3f * 0.25f)));
@@ -1434,7 +1446,7 @@ let _e3396 = select(_e505, _e3394, (_e3394 < _e505));
 let _e3398 = select(_e515, _e3388, (_e3388 > _e515));
 let _e3400 = select(_e521, _e3398, (_e3398 < _e521));
 if _e2434 {
-phi_6515_ = vec3<f32>(_e3392, _e3396, _e3400);
+phi_6516_ = vec3<f32>(_e3392, _e3396, _e3400);
 } else {
 let _e3402 = (_e3392 + 0.5f);
 let _e3404 = select(0f, _e3402, (_e3402 > 0f));
@@ -1448,9 +1460,9 @@ let _e3436 = (_e3400 + 0.5f);
 let _e3438 = select(0f, _e3436, (_e3436 > 0f));
 let _e3440 = select(_e629, _e3438, (_e3438 < _e629));
 let _e3447 = select(0i, select(select(i32(_e3440), i32(-2147483648), (_e3440 < -2147483600f)), 2147483647i, (_e3440 > 2147483500f)), (_e3440 == _e3440));
-phi_6515_ = vec3<f32>(f32((_e3413 - select(0i, 1i, (_e3406 < f32(_e3413))))), f32((_e3430 - select(0i, 1i, (_e3423 < f32(_e3430))))), f32((_e3447 - select(0i, 1i, (_e3440 < f32(_e3447))))));
+phi_6516_ = vec3<f32>(f32((_e3413 - select(0i, 1i, (_e3406 < f32(_e3413))))), f32((_e3430 - select(0i, 1i, (_e3423 < f32(_e3430))))), f32((_e3447 - select(0i, 1i, (_e3440 < f32(_e3447))))));
 }
-let _e3455 = phi_6515_;
+let _e3455 = phi_6516_;
 let _e3458 = select(-1f, _e3455.x, (_e3455.x > -1f));
 let _e3460 = select(_e571, _e3458, (_e3458 < _e571));
 let _e3467 = select(0i, select(select(i32(_e3460), i32(-2147483648), (_e3460 < -2147483600f)), 2147483647i, (_e3460 > 2147483500f)), (_e3460 == _e3460));
@@ -1472,7 +1484,7 @@ let _e3525 = (select(0i, _e3487, (_e3487 > 0i)) * _e2541);
 let _e3526 = (select(_e2554, _e3506, (_e3506 < _e2554)) * _e2541);
 let _e3527 = (select(0i, _e3503, (_e3503 > 0i)) * _e2546);
 let _e3528 = (select(_e2567, _e3511, (_e3511 < _e2567)) * _e2546);
-local_2 = type_28(array<i32, 4>(select(0i, _e3514, (_e3514 > 0i)), select(0i, _e3471, (_e3471 > 0i)), select(_e2580, _e3519, (_e3519 < _e2580)), select(_e2580, _e3522, (_e3522 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_29(array<i32, 4>(select(0i, _e3514, (_e3514 > 0i)), select(0i, _e3471, (_e3471 > 0i)), select(_e2580, _e3519, (_e3519 < _e2580)), select(_e2580, _e3522, (_e3522 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = (_e3455 - vec3<f32>(f32(_e3471), f32(_e3487), f32(_e3503)));
 let _e3537 = (_e3527 + _e3525);
 let _e3540 = local_2.member[1u];
@@ -1528,11 +1540,11 @@ let _e3656 = (((_e3595 + (((_e3620 + (((_e3631 + ((bitcast<f32>(_e3640) - _e3631
 let _e3658 = select(_e2736, _e3656, (_e3656 > _e2736));
 let _e3660 = select(1e9f, _e3658, (_e3658 < 1e9f));
 if _e684 {
-phi_6934_ = (_e3660 > _e3360);
+phi_6935_ = (_e3660 > _e3360);
 } else {
-phi_6934_ = (_e3660 < _e3360);
+phi_6935_ = (_e3660 < _e3360);
 }
-let _e3664 = phi_6934_;
+let _e3664 = phi_6935_;
 let _e3665 = (_e1113 && _e3664);
 let _e3666 = select(_e3360, _e3660, _e3665);
 let _e3669 = (_e1110.member + (_e2389 * 1f));
@@ -1549,7 +1561,7 @@ let _e3701 = select(_e505, _e3699, (_e3699 < _e505));
 let _e3703 = select(_e515, _e3693, (_e3693 > _e515));
 let _e3705 = select(_e521, _e3703, (_e3703 < _e521));
 if _e2434 {
-phi_7147_ = vec3<f32>(_e3697, _e3701, _e3705);
+phi_7148_ = vec3<f32>(_e3697, _e3701, _e3705);
 } else {
 let _e3707 = (_e3697 + 0.5f);
 let _e3709 = select(0f, _e3707, (_e3707 > 0f));
@@ -1563,9 +1575,9 @@ let _e3741 = (_e3705 + 0.5f);
 let _e3743 = select(0f, _e3741, (_e3741 > 0f));
 let _e3745 = select(_e629, _e3743, (_e3743 < _e629));
 let _e3752 = select(0i, select(select(i32(_e3745), i32(-2147483648), (_e3745 < -2147483600f)), 2147483647i, (_e3745 > 2147483500f)), (_e3745 == _e3745));
-phi_7147_ = vec3<f32>(f32((_e3718 - select(0i, 1i, (_e3711 < f32(_e3718))))), f32((_e3735 - select(0i, 1i, (_e3728 < f32(_e3735))))), f32((_e3752 - select(0i, 1i, (_e3745 < f32(_e3752))))));
+phi_7148_ = vec3<f32>(f32((_e3718 - select(0i, 1i, (_e3711 < f32(_e3718))))), f32((_e3735 - select(0i, 1i, (_e3728 < f32(_e3735))))), f32((_e3752 - select(0i, 1i, (_e3745 < f32(_e3752))))));
 }
-let _e3760 = phi_7147_;
+let _e3760 = phi_7148_;
 let _e3763 = select(-1f, _e3760.x, (_e3760.x > -1f));
 let _e3765 = select(_e571, _e3763, (_e3763 < _e571));
 let _e3772 = select(0i, select(select(i32(_e3765), i32(-2147483648), (_e3765 < -2147483600f)), 2147483647i, (_e3765 > 2147483500f)), (_e3765 == _e3765));
@@ -1587,7 +1599,7 @@ let _e3830 = (select(0i, _e3792, (_e3792 > 0i)) * _e2541);
 let _e3831 = (select(_e2554, _e3811, (_e3811 < _e2554)) * _e2541);
 let _e3832 = (select(0i, _e3808, (_e3808 > 0i)) * _e2546);
 let _e3833 = (select(_e2567, _e3816, (_e3816 < _e2567)) * _e2546);
-local = type_28(array<i32, 4>(select(0i, _e3819, (_e3819 > 0i)), select(0i, _e3776, (_e3776 > 0i)), select(_e2580, _e3824, (_e3824 < _e2580)), select(_e2580, _e3827, (_e3827 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local = type_29(array<i32, 4>(select(0i, _e3819, (_e3819 > 0i)), select(0i, _e3776, (_e3776 > 0i)), select(_e2580, _e3824, (_e3824 < _e2580)), select(_e2580, _e3827, (_e3827 < _e2580))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_1 = (_e3760 - vec3<f32>(f32(_e3776), f32(_e3792), f32(_e3808)));
 let _e3842 = (_e3832 + _e3830);
 let _e3845 = local.member[1u];
@@ -1643,43 +1655,43 @@ let _e3961 = (((_e3900 + (((_e3925 + (((_e3936 + ((bitcast<f32>(_e3945) - _e3936
 let _e3963 = select(_e2736, _e3961, (_e3961 > _e2736));
 let _e3965 = select(1e9f, _e3963, (_e3963 < 1e9f));
 if _e684 {
-phi_7566_ = (_e3965 > _e3666);
+phi_7567_ = (_e3965 > _e3666);
 } else {
-phi_7566_ = (_e3965 < _e3666);
+phi_7567_ = (_e3965 < _e3666);
 }
-let _e3969 = phi_7566_;
+let _e3969 = phi_7567_;
 let _e3970 = (_e1113 && _e3969);
-phi_7576_ = select(select(select(select(select(_e370[8], _e2397, _e2748), _e2758, _e3053), _e3064, _e3359), _e3370, _e3665), _e3675, _e3970);
-phi_7577_ = select(_e3666, _e3965, _e3970);
+phi_7577_ = select(select(select(select(select(_e370[8], _e2397, _e2748), _e2758, _e3053), _e3064, _e3359), _e3370, _e3665), _e3675, _e3970);
+phi_7578_ = select(_e3666, _e3965, _e3970);
 }
-let _e3974 = phi_7576_;
-let _e3976 = phi_7577_;
-phi_7595_ = array<f32, 23>(_e370[0], _e370[1], _e370[2], _e370[3], _e370[4], _e370[5], select(_e370[6], _e3976, _e1113), _e370[7], select(_e370[8], _e3974, _e1113), _e370[9], _e370[10], _e370[11], _e370[12], _e370[13], _e370[14], _e370[15], _e370[16], select(_e370[17], _e411, _e1113), _e370[18], _e370[19], _e370[20], _e370[21], _e370[22]);
+let _e3974 = phi_7577_;
+let _e3976 = phi_7578_;
+phi_7596_ = array<f32, 23>(_e370[0], _e370[1], _e370[2], _e370[3], _e370[4], _e370[5], select(_e370[6], _e3976, _e1113), _e370[7], select(_e370[8], _e3974, _e1113), _e370[9], _e370[10], _e370[11], _e370[12], _e370[13], _e370[14], _e370[15], _e370[16], select(_e370[17], _e411, _e1113), _e370[18], _e370[19], _e370[20], _e370[21], _e370[22]);
 } else {
-phi_7595_ = _e370;
+phi_7596_ = _e370;
 }
-let _e3982 = phi_7595_;
-phi_625_ = (_e366 + 1u);
-phi_628_ = select(_e368, true, _e742);
-phi_630_ = _e3982;
+let _e3982 = phi_7596_;
+phi_626_ = (_e366 + 1u);
+phi_629_ = select(_e368, true, _e742);
+phi_631_ = _e3982;
 } else {
-phi_625_ = u32();
-phi_628_ = bool();
-phi_630_ = array<f32, 23>();
+phi_626_ = u32();
+phi_629_ = bool();
+phi_631_ = array<f32, 23>();
 }
-let _e3986 = phi_625_;
-let _e3988 = phi_628_;
-let _e3990 = phi_630_;
+let _e3986 = phi_626_;
+let _e3988 = phi_629_;
+let _e3990 = phi_631_;
 continue;
 continuing {
-phi_624_ = _e3986;
-phi_627_ = _e3988;
-phi_629_ = _e3990;
-phi_7698_ = false;
+phi_625_ = _e3986;
+phi_628_ = _e3988;
+phi_630_ = _e3990;
+phi_7699_ = false;
 break if !(_e371);
 }
 }
-let _e3993 = phi_7698_;
+let _e3993 = phi_7699_;
 if _e3993 {
 break;
 }

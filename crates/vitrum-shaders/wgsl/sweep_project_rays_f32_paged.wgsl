@@ -121,6 +121,18 @@ member: type_8,
 member_1: u32,
 }
 struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+}
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -135,7 +147,7 @@ member_10: f32,
 member_11: f32,
 member_12: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_3,
@@ -156,83 +168,83 @@ member_16: type_19,
 member_17: type_19,
 member_18: type_19,
 member_19: type_19,
-member_20: type_7,
+member_20: type_20,
 member_21: f32,
 member_22: f32,
-member_23: type_20,
+member_23: type_21,
 }
-struct type_23 {
+struct type_24 {
 member: array<u32>,
 }
-struct type_25 {
+struct type_26 {
 member: array<f32>,
 }
-struct type_28 {
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: f32,
 }
-struct type_33 {
-member: array<type_21>,
+struct type_34 {
+member: array<type_22>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(0)
-var<storage> global_2: type_33;
+var<storage> global_2: type_34;
 @group(0) @binding(3)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
-var local: type_28;
+var local: type_29;
 var local_1: vec3<f32>;
-var local_2: type_28;
+var local_2: type_29;
 var local_3: vec3<f32>;
-var local_4: type_28;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_28;
+var local_6: type_29;
 var local_7: vec3<f32>;
-var local_8: type_28;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_28;
+var local_10: type_29;
 var local_11: vec3<f32>;
-var local_12: type_28;
+var local_12: type_29;
 var local_13: vec3<f32>;
-var local_14: type_28;
+var local_14: type_29;
 var local_15: vec3<f32>;
-var local_16: type_28;
+var local_16: type_29;
 var local_17: vec3<f32>;
-var phi_625_: u32;
-var phi_628_: bool;
-var phi_630_: array<f32, 23>;
-var phi_994_: bool;
-var phi_1890_: type_31;
-var phi_2111_: vec3<f32>;
-var phi_2691_: vec3<f32>;
-var phi_3271_: vec3<f32>;
-var phi_3851_: vec3<f32>;
-var phi_4259_: f32;
-var phi_4467_: vec3<f32>;
-var phi_4852_: bool;
-var phi_5065_: vec3<f32>;
-var phi_5447_: bool;
-var phi_5661_: vec3<f32>;
-var phi_6043_: bool;
-var phi_6257_: vec3<f32>;
-var phi_6639_: bool;
-var phi_6852_: vec3<f32>;
-var phi_7234_: bool;
-var phi_7244_: f32;
-var phi_7245_: f32;
-var phi_7263_: array<f32, 23>;
 var phi_626_: u32;
 var phi_629_: bool;
 var phi_631_: array<f32, 23>;
-var phi_7366_: bool;
+var phi_995_: bool;
+var phi_1891_: type_32;
+var phi_2112_: vec3<f32>;
+var phi_2692_: vec3<f32>;
+var phi_3272_: vec3<f32>;
+var phi_3852_: vec3<f32>;
+var phi_4260_: f32;
+var phi_4468_: vec3<f32>;
+var phi_4853_: bool;
+var phi_5066_: vec3<f32>;
+var phi_5448_: bool;
+var phi_5662_: vec3<f32>;
+var phi_6044_: bool;
+var phi_6258_: vec3<f32>;
+var phi_6640_: bool;
+var phi_6853_: vec3<f32>;
+var phi_7235_: bool;
+var phi_7245_: f32;
+var phi_7246_: f32;
+var phi_7264_: array<f32, 23>;
+var phi_627_: u32;
+var phi_630_: bool;
+var phi_632_: array<f32, 23>;
+var phi_7367_: bool;
 var local_18: bool;
 var local_19: array<f32, 23>;
 var local_20: array<f32, 23>;
@@ -366,13 +378,13 @@ let _e357 = ((22u * _e112) + _e114);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e117, _e358, (_e358 < _e117));
 let _e366 = global_4.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
-phi_625_ = 0u;
-phi_628_ = false;
-phi_630_ = array<f32, 23>(_e125, _e135, _e146, _e157, _e168, _e179, _e190, _e201, _e212, _e223, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
+phi_626_ = 0u;
+phi_629_ = false;
+phi_631_ = array<f32, 23>(_e125, _e135, _e146, _e157, _e168, _e179, _e190, _e201, _e212, _e223, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
 loop {
-let _e369 = phi_625_;
-let _e371 = phi_628_;
-let _e373 = phi_630_;
+let _e369 = phi_626_;
+let _e371 = phi_629_;
+let _e373 = phi_631_;
 local_18 = _e371;
 local_19 = _e373;
 local_20 = _e373;
@@ -401,7 +413,7 @@ let _e374 = (_e369 < _e83);
 if _e374 {
 if _e374 {
 } else {
-phi_7366_ = true;
+phi_7367_ = true;
 break;
 }
 let _e378 = global_2.member[_e369].member;
@@ -476,11 +488,11 @@ let _e685 = bitcast<f32>(_e684);
 let _e686 = (_e373[17] == -1.2676506e30f);
 let _e687 = (_e378.member_2 == 0u);
 if _e687 {
-phi_994_ = (_e685 <= _e373[6]);
+phi_995_ = (_e685 <= _e373[6]);
 } else {
-phi_994_ = (_e685 >= _e373[6]);
+phi_995_ = (_e685 >= _e373[6]);
 }
-let _e691 = phi_994_;
+let _e691 = phi_995_;
 let _e693 = !(_e686);
 let _e700 = global_2.member[_e369].member_1;
 let _e708 = (_e486 + 0.5f);
@@ -559,7 +571,7 @@ let _e917 = select(1f, _e910, (_e912 && (_e895 <= 0f)));
 let _e919 = select(_e914, _e892, (_e892 > _e914));
 let _e921 = select(_e917, _e894, (_e894 < _e917));
 if _e738 {
-phi_1890_ = type_31(_e919, _e921);
+phi_1891_ = type_32(_e919, _e921);
 } else {
 let _e927 = global_2.member[_e369].member_16.member;
 let _e938 = ((((_e927.member.member * _e403) + (_e927.member.member_1 * _e405)) + (_e927.member.member_2 * _e393)) + _e927.member_1);
@@ -607,9 +619,9 @@ let _e1099 = select(1f, _e1097, (_e1097 < 1f));
 let _e1101 = (_e1085 > 0f);
 let _e1103 = select(0f, select(_e1099, 2f, _e1101), (_e1079 > 0f));
 let _e1106 = select(1f, _e1099, (_e1101 && (_e1079 <= 0f)));
-phi_1890_ = type_31(select(_e1103, _e1061, (_e1061 > _e1103)), select(_e1106, _e1063, (_e1063 < _e1106)));
+phi_1891_ = type_32(select(_e1103, _e1061, (_e1061 > _e1103)), select(_e1106, _e1063, (_e1063 < _e1106)));
 }
-let _e1113 = phi_1890_;
+let _e1113 = phi_1891_;
 let _e1116 = (_e1113.member_1 > _e1113.member);
 let _e1117 = (_e407 - _e403);
 let _e1118 = (_e409 - _e405);
@@ -632,7 +644,7 @@ let _e1160 = select(_e524, _e1158, (_e1158 < _e524));
 let _e1166 = global_2.member[_e369].member_8.member_15;
 let _e1167 = (_e1166 == 0u);
 if _e1167 {
-phi_2111_ = vec3<f32>(_e1152, _e1156, _e1160);
+phi_2112_ = vec3<f32>(_e1152, _e1156, _e1160);
 } else {
 let _e1168 = (_e1152 + 0.5f);
 let _e1170 = select(0f, _e1168, (_e1168 > 0f));
@@ -646,9 +658,9 @@ let _e1202 = (_e1160 + 0.5f);
 let _e1204 = select(0f, _e1202, (_e1202 > 0f));
 let _e1206 = select(_e632, _e1204, (_e1204 < _e632));
 let _e1213 = select(0i, select(select(i32(_e1206), i32(-2147483648), (_e1206 < -2147483600f)), 2147483647i, (_e1206 > 2147483500f)), (_e1206 == _e1206));
-phi_2111_ = vec3<f32>(f32((_e1179 - select(0i, 1i, (_e1172 < f32(_e1179))))), f32((_e1196 - select(0i, 1i, (_e1189 < f32(_e1196))))), f32((_e1213 - select(0i, 1i, (_e1206 < f32(_e1213))))));
+phi_2112_ = vec3<f32>(f32((_e1179 - select(0i, 1i, (_e1172 < f32(_e1179))))), f32((_e1196 - select(0i, 1i, (_e1189 < f32(_e1196))))), f32((_e1213 - select(0i, 1i, (_e1206 < f32(_e1213))))));
 }
-let _e1221 = phi_2111_;
+let _e1221 = phi_2112_;
 let _e1224 = select(-1f, _e1221.x, (_e1221.x > -1f));
 let _e1226 = select(_e574, _e1224, (_e1224 < _e574));
 let _e1233 = select(0i, select(select(i32(_e1226), i32(-2147483648), (_e1226 < -2147483600f)), 2147483647i, (_e1226 > 2147483500f)), (_e1226 == _e1226));
@@ -683,7 +695,7 @@ let _e1329 = (_e1321 + _e1328);
 let _e1330 = (_e1323 + _e1279);
 let _e1331 = (2i * _e1279);
 let _e1332 = (_e1323 + _e1331);
-local_16 = type_28(array<i32, 4>(_e1318, (_e1318 + 1i), (_e1318 + 2i), (_e1318 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_16 = type_29(array<i32, 4>(_e1318, (_e1318 + 1i), (_e1318 + 2i), (_e1318 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_17 = (_e1221 - vec3<f32>(f32(_e1237), f32(_e1253), f32(_e1269)));
 let _e1341 = (_e1330 + _e1327);
 let _e1344 = local_16.member[1u];
@@ -754,7 +766,7 @@ let _e1510 = select(_e508, _e1508, (_e1508 < _e508));
 let _e1512 = select(_e518, _e1502, (_e1502 > _e518));
 let _e1514 = select(_e524, _e1512, (_e1512 < _e524));
 if _e1167 {
-phi_2691_ = vec3<f32>(_e1506, _e1510, _e1514);
+phi_2692_ = vec3<f32>(_e1506, _e1510, _e1514);
 } else {
 let _e1516 = (_e1506 + 0.5f);
 let _e1518 = select(0f, _e1516, (_e1516 > 0f));
@@ -768,9 +780,9 @@ let _e1550 = (_e1514 + 0.5f);
 let _e1552 = select(0f, _e1550, (_e1550 > 0f));
 let _e1554 = select(_e632, _e1552, (_e1552 < _e632));
 let _e1561 = select(0i, select(select(i32(_e1554), i32(-2147483648), (_e1554 < -2147483600f)), 2147483647i, (_e1554 > 2147483500f)), (_e1554 == _e1554));
-phi_2691_ = vec3<f32>(f32((_e1527 - select(0i, 1i, (_e1520 < f32(_e1527))))), f32((_e1544 - select(0i, 1i, (_e1537 < f32(_e1544))))), f32((_e1561 - select(0i, 1i, (_e1554 < f32(_e1561))))));
+phi_2692_ = vec3<f32>(f32((_e1527 - select(0i, 1i, (_e1520 < f32(_e1527))))), f32((_e1544 - select(0i, 1i, (_e1537 < f32(_e1544))))), f32((_e1561 - select(0i, 1i, (_e1554 < f32(_e1561))))));
 }
-let _e1569 = phi_2691_;
+let _e1569 = phi_2692_;
 let _e1572 = select(-1f, _e1569.x, (_e1569.x > -1f));
 let _e1574 = select(_e574, _e1572, (_e1572 < _e574));
 let _e1581 = select(0i, select(select(i32(_e1574), i32(-2147483648), (_e1574 < -2147483600f)), 2147483647i, (_e1574 > 2147483500f)), (_e1574 == _e1574));
@@ -796,7 +808,7 @@ let _e1649 = (_e1643 + _e1274);
 let _e1650 = (_e1643 + _e1328);
 let _e1651 = (_e1645 + _e1279);
 let _e1652 = (_e1645 + _e1331);
-local_14 = type_28(array<i32, 4>(_e1640, (_e1640 + 1i), (_e1640 + 2i), (_e1640 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_14 = type_29(array<i32, 4>(_e1640, (_e1640 + 1i), (_e1640 + 2i), (_e1640 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_15 = (_e1569 - vec3<f32>(f32(_e1585), f32(_e1601), f32(_e1617)));
 let _e1661 = (_e1651 + _e1649);
 let _e1664 = local_14.member[1u];
@@ -864,7 +876,7 @@ let _e1819 = select(_e508, _e1817, (_e1817 < _e508));
 let _e1821 = select(_e518, _e1811, (_e1811 > _e518));
 let _e1823 = select(_e524, _e1821, (_e1821 < _e524));
 if _e1167 {
-phi_3271_ = vec3<f32>(_e1815, _e1819, _e1823);
+phi_3272_ = vec3<f32>(_e1815, _e1819, _e1823);
 } else {
 let _e1825 = (_e1815 + 0.5f);
 let _e1827 = select(0f, _e1825, (_e1825 > 0f));
@@ -878,9 +890,9 @@ let _e1859 = (_e1823 + 0.5f);
 let _e1861 = select(0f, _e1859, (_e1859 > 0f));
 let _e1863 = select(_e632, _e1861, (_e1861 < _e632));
 let _e1870 = select(0i, select(select(i32(_e1863), i32(-2147483648), (_e1863 < -2147483600f)), 2147483647i, (_e1863 > 2147483500f)), (_e1863 == _e1863));
-phi_3271_ = vec3<f32>(f32((_e1836 - select(0i, 1i, (_e1829 < f32(_e1836))))), f32((_e1853 - select(0i, 1i, (_e1846 < f32(_e1853))))), f32((_e1870 - select(0i, 1i, (_e1863 < f32(_e1870))))));
+phi_3272_ = vec3<f32>(f32((_e1836 - select(0i, 1i, (_e1829 < f32(_e1836))))), f32((_e1853 - select(0i, 1i, (_e1846 < f32(_e1853))))), f32((_e1870 - select(0i, 1i, (_e1863 < f32(_e1870))))));
 }
-let _e1878 = phi_3271_;
+let _e1878 = phi_3272_;
 let _e1881 = select(-1f, _e1878.x, (_e1878.x > -1f));
 let _e1883 = select(_e574, _e1881, (_e1881 < _e574));
 let _e1890 = select(0i, select(select(i32(_e1883), i32(-2147483648), (_e1883 < -2147483600f)), 2147483647i, (_e1883 > 2147483500f)), (_e1883 == _e1883));
@@ -906,7 +918,7 @@ let _e1958 = (_e1952 + _e1274);
 let _e1959 = (_e1952 + _e1328);
 let _e1960 = (_e1954 + _e1279);
 let _e1961 = (_e1954 + _e1331);
-local_12 = type_28(array<i32, 4>(_e1949, (_e1949 + 1i), (_e1949 + 2i), (_e1949 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_12 = type_29(array<i32, 4>(_e1949, (_e1949 + 1i), (_e1949 + 2i), (_e1949 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_13 = (_e1878 - vec3<f32>(f32(_e1894), f32(_e1910), f32(_e1926)));
 let _e1970 = (_e1960 + _e1958);
 let _e1973 = local_12.member[1u];
@@ -974,7 +986,7 @@ let _e2128 = select(_e508, _e2126, (_e2126 < _e508));
 let _e2130 = select(_e518, _e2120, (_e2120 > _e518));
 let _e2132 = select(_e524, _e2130, (_e2130 < _e524));
 if _e1167 {
-phi_3851_ = vec3<f32>(_e2124, _e2128, _e2132);
+phi_3852_ = vec3<f32>(_e2124, _e2128, _e2132);
 } else {
 let _e2134 = (_e2124 + 0.5f);
 let _e2136 = select(0f, _e2134, (_e2134 > 0f));
@@ -988,9 +1000,9 @@ let _e2168 = (_e2132 + 0.5f);
 let _e2170 = select(0f, _e2168, (_e2168 > 0f));
 let _e2172 = select(_e632, _e2170, (_e2170 < _e632));
 let _e2179 = select(0i, select(select(i32(_e2172), i32(-2147483648), (_e2172 < -2147483600f)), 2147483647i, (_e2172 > 2147483500f)), (_e2172 == _e2172));
-phi_3851_ = vec3<f32>(f32((_e2145 - select(0i, 1i, (_e2138 < f32(_e2145))))), f32((_e2162 - select(0i, 1i, (_e2155 < f32(_e2162))))), f32((_e2179 - select(0i, 1i, (_e2172 < f32(_e2179))))));
+phi_3852_ = vec3<f32>(f32((_e2145 - select(0i, 1i, (_e2138 < f32(_e2145))))), f32((_e2162 - select(0i, 1i, (_e2155 < f32(_e2162))))), f32((_e2179 - select(0i, 1i, (_e2172 < f32(_e2179))))));
 }
-let _e2187 = phi_3851_;
+let _e2187 = phi_3852_;
 let _e2190 = select(-1f, _e2187.x, (_e2187.x > -1f));
 let _e2192 = select(_e574, _e2190, (_e2190 < _e574));
 let _e2199 = select(0i, select(select(i32(_e2192), i32(-2147483648), (_e2192 < -2147483600f)), 2147483647i, (_e2192 > 2147483500f)), (_e2192 == _e2192));
@@ -1016,7 +1028,7 @@ let _e2267 = (_e2261 + _e1274);
 let _e2268 = (_e2261 + _e1328);
 let _e2269 = (_e2263 + _e1279);
 let _e2270 = (_e2263 + _e1331);
-local_10 = type_28(array<i32, 4>(_e2258, (_e2258 + 1i), (_e2258 + 2i), (_e2258 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_29(array<i32, 4>(_e2258, (_e2258 + 1i), (_e2258 + 2i), (_e2258 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = (_e2187 - vec3<f32>(f32(_e2203), f32(_e2219), f32(_e2235)));
 let _e2279 = (_e2269 + _e2267);
 let _e2282 = local_10.member[1u];
@@ -1072,15 +1084,15 @@ let _e2398 = (((_e2337 + (((_e2362 + (((_e2373 + ((bitcast<f32>(_e2382) - _e2373
 let _e2400 = select(_e1471, _e2398, (_e2398 > _e1471));
 let _e2407 = (((_e1117 * _e1117) + (_e1118 * _e1118)) + (_e1119 * _e1119));
 let _e2412 = select(0f, (sqrt(select(0f, _e2407, (_e2407 > 0f))) * _e1122), _e1116);
-phi_7244_ = (_e373[8] + _e2412);
-phi_7245_ = (_e373[6] + ((((select(1e9f, _e1473, (_e1473 < 1e9f)) + select(1e9f, _e1782, (_e1782 < 1e9f))) + (select(1e9f, _e2091, (_e2091 < 1e9f)) + select(1e9f, _e2400, (_e2400 < 1e9f)))) * 0.25f) * _e2412));
+phi_7245_ = (_e373[8] + _e2412);
+phi_7246_ = (_e373[6] + ((((select(1e9f, _e1473, (_e1473 < 1e9f)) + select(1e9f, _e1782, (_e1782 < 1e9f))) + (select(1e9f, _e2091, (_e2091 < 1e9f)) + select(1e9f, _e2400, (_e2400 < 1e9f)))) * 0.25f) * _e2412));
 } else {
 if _e687 {
-phi_4259_ = -(2e9f);
+phi_4260_ = -(2e9f);
 } else {
-phi_4259_ = 2e9f;
+phi_4260_ = 2e9f;
 }
-let _e2422 = phi_4259_;
+let _e2422 = phi_4260_;
 let _e2423 = select(_e373[6], _e2422, _e686);
 let _e2424 = (_e1113.member_1 - _e1113.member);
 let _e2426 = (_e1113.member + (_e2424 * 0f));
@@ -1099,7 +1111,7 @@ let _e2462 = select(_e524, _e2460, (_e2460 < _e524));
 let _e2468 = global_2.member[_e369].member_8.member_15;
 let _e2469 = (_e2468 == 0u);
 if _e2469 {
-phi_4467_ = vec3<f32>(_e2454, _e2458, _e2462);
+phi_4468_ = vec3<f32>(_e2454, _e2458, _e2462);
 } else {
 let _e2470 = (_e2454 + 0.5f);
 let _e2472 = select(0f, _e2470, (_e2470 > 0f));
@@ -1113,9 +1125,9 @@ let _e2504 = (_e2462 + 0.5f);
 let _e2506 = select(0f, _e2504, (_e2504 > 0f));
 let _e2508 = select(_e632, _e2506, (_e2506 < _e632));
 let _e2515 = select(0i, select(select(i32(_e2508), i32(-2147483648), (_e2508 < -2147483600f)), 2147483647i, (_e2508 > 2147483500f)), (_e2508 == _e2508));
-phi_4467_ = vec3<f32>(f32((_e2481 - select(0i, 1i, (_e2474 < f32(_e2481))))), f32((_e2498 - select(0i, 1i, (_e2491 < f32(_e2498))))), f32((_e2515 - select(0i, 1i, (_e2508 < f32(_e2515))))));
+phi_4468_ = vec3<f32>(f32((_e2481 - select(0i, 1i, (_e2474 < f32(_e2481))))), f32((_e2498 - select(0i, 1i, (_e2491 < f32(_e2498))))), f32((_e2515 - select(0i, 1i, (_e2508 < f32(_e2515))))));
 }
-let _e2523 = phi_4467_;
+let _e2523 = phi_4468_;
 let _e2526 = select(-1f, _e2523.x, (_e2523.x > -1f));
 let _e2528 = select(_e574, _e2526, (_e2526 < _e574));
 let _e2535 = select(0i, select(select(i32(_e2528), i32(-2147483648), (_e2528 < -2147483600f)), 2147483647i, (_e2528 > 2147483500f)), (_e2528 == _e2528));
@@ -1150,7 +1162,7 @@ let _e2631 = (_e2623 + _e2630);
 let _e2632 = (_e2625 + _e2581);
 let _e2633 = (2i * _e2581);
 let _e2634 = (_e2625 + _e2633);
-local_8 = type_28(array<i32, 4>(_e2620, (_e2620 + 1i), (_e2620 + 2i), (_e2620 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_29(array<i32, 4>(_e2620, (_e2620 + 1i), (_e2620 + 2i), (_e2620 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = (_e2523 - vec3<f32>(f32(_e2539), f32(_e2555), f32(_e2571)));
 let _e2643 = (_e2632 + _e2629);
 let _e2646 = local_8.member[1u];
@@ -1209,11 +1221,11 @@ let _e2773 = -(1e9f);
 let _e2775 = select(_e2773, _e2772, (_e2772 > _e2773));
 let _e2777 = select(1e9f, _e2775, (_e2775 < 1e9f));
 if _e687 {
-phi_4852_ = (_e2777 > _e2423);
+phi_4853_ = (_e2777 > _e2423);
 } else {
-phi_4852_ = (_e2777 < _e2423);
+phi_4853_ = (_e2777 < _e2423);
 }
-let _e2784 = phi_4852_;
+let _e2784 = phi_4853_;
 let _e2785 = ((_e1116 && (_e686 || (_e1113.member > 0f))) && _e2784);
 let _e2786 = select(_e2423, _e2777, _e2785);
 let _e2789 = (_e1113.member + (_e2424 * 0.25f));
@@ -1230,7 +1242,7 @@ let _e2821 = select(_e508, _e2819, (_e2819 < _e508));
 let _e2823 = select(_e518, _e2813, (_e2813 > _e518));
 let _e2825 = select(_e524, _e2823, (_e2823 < _e524));
 if _e2469 {
-phi_5065_ = vec3<f32>(_e2817, _e2821, _e2825);
+phi_5066_ = vec3<f32>(_e2817, _e2821, _e2825);
 } else {
 let _e2827 = (_e2817 + 0.5f);
 let _e2829 = select(0f, _e2827, (_e2827 > 0f));
@@ -1244,9 +1256,9 @@ let _e2861 = (_e2825 + 0.5f);
 let _e2863 = select(0f, _e2861, (_e2861 > 0f));
 let _e2865 = select(_e632, _e2863, (_e2863 < _e632));
 let _e2872 = select(0i, select(select(i32(_e2865), i32(-2147483648), (_e2865 < -2147483600f)), 2147483647i, (_e2865 > 2147483500f)), (_e2865 == _e2865));
-phi_5065_ = vec3<f32>(f32((_e2838 - select(0i, 1i, (_e2831 < f32(_e2838))))), f32((_e2855 - select(0i, 1i, (_e2848 < f32(_e2855))))), f32((_e2872 - select(0i, 1i, (_e2865 < f32(_e2872))))));
+phi_5066_ = vec3<f32>(f32((_e2838 - select(0i, 1i, (_e2831 < f32(_e2838))))), f32((_e2855 - select(0i, 1i, (_e2848 < f32(_e2855))))), f32((_e2872 - select(0i, 1i, (_e2865 < f32(_e2872))))));
 }
-let _e2880 = phi_5065_;
+let _e2880 = phi_5066_;
 let _e2883 = select(-1f, _e2880.x, (_e2880.x > -1f));
 let _e2885 = select(_e574, _e2883, (_e2883 < _e574));
 let _e2892 = select(0i, select(select(i32(_e2885), i32(-2147483648), (_e2885 < -2147483600f)), 2147483647i, (_e2885 > 2147483500f)), (_e2885 == _e2885));
@@ -1272,7 +1284,7 @@ let _e2960 = (_e2954 + _e2576);
 let _e2961 = (_e2954 + _e2630);
 let _e2962 = (_e2956 + _e2581);
 let _e2963 = (_e2956 + _e2633);
-local_6 = type_28(array<i32, 4>(_e2951, (_e2951 + 1i), (_e2951 + 2i), (_e2951 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_29(array<i32, 4>(_e2951, (_e2951 + 1i), (_e2951 + 2i), (_e2951 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = (_e2880 - vec3<f32>(f32(_e2896), f32(_e2912), f32(_e2928)));
 let _e2972 = (_e2962 + _e2960);
 let _e2975 = local_6.member[1u];
@@ -1328,11 +1340,11 @@ let _e3091 = (((_e3030 + (((_e3055 + (((_e3066 + ((bitcast<f32>(_e3075) - _e3066
 let _e3093 = select(_e2773, _e3091, (_e3091 > _e2773));
 let _e3095 = select(1e9f, _e3093, (_e3093 < 1e9f));
 if _e687 {
-phi_5447_ = (_e3095 > _e2786);
+phi_5448_ = (_e3095 > _e2786);
 } else {
-phi_5447_ = (_e3095 < _e2786);
+phi_5448_ = (_e3095 < _e2786);
 }
-let _e3099 = phi_5447_;
+let _e3099 = phi_5448_;
 let _e3100 = (_e1116 && _e3099);
 let _e3101 = select(_e2786, _e3095, _e3100);
 let _e3105 = (_e1113.member + (_e2424 * (2f * 0.25f)));
@@ -1349,7 +1361,7 @@ let _e3137 = select(_e508, _e3135, (_e3135 < _e508));
 let _e3139 = select(_e518, _e3129, (_e3129 > _e518));
 let _e3141 = select(_e524, _e3139, (_e3139 < _e524));
 if _e2469 {
-phi_5661_ = vec3<f32>(_e3133, _e3137, _e3141);
+phi_5662_ = vec3<f32>(_e3133, _e3137, _e3141);
 } else {
 let _e3143 = (_e3133 + 0.5f);
 let _e3145 = select(0f, _e3143, (_e3143 > 0f));
@@ -1363,9 +1375,9 @@ let _e3177 = (_e3141 + 0.5f);
 let _e3179 = select(0f, _e3177, (_e3177 > 0f));
 let _e3181 = select(_e632, _e3179, (_e3179 < _e632));
 let _e3188 = select(0i, select(select(i32(_e3181), i32(-2147483648), (_e3181 < -2147483600f)), 2147483647i, (_e3181 > 2147483500f)), (_e3181 == _e3181));
-phi_5661_ = vec3<f32>(f32((_e3154 - select(0i, 1i, (_e3147 < f32(_e3154))))), f32((_e3171 - select(0i, 1i, (_e3164 < f32(_e3171))))), f32((_e3188 - select(0i, 1i, (_e3181 < f32(_e3188))))));
+phi_5662_ = vec3<f32>(f32((_e3154 - select(0i, 1i, (_e3147 < f32(_e3154))))), f32((_e3171 - select(0i, 1i, (_e3164 < f32(_e3171))))), f32((_e3188 - select(0i, 1i, (_e3181 < f32(_e3188))))));
 }
-let _e3196 = phi_5661_;
+let _e3196 = phi_5662_;
 let _e3199 = select(-1f, _e3196.x, (_e3196.x > -1f));
 let _e3201 = select(_e574, _e3199, (_e3199 < _e574));
 let _e3208 = select(0i, select(select(i32(_e3201), i32(-2147483648), (_e3201 < -2147483600f)), 2147483647i, (_e3201 > 2147483500f)), (_e3201 == _e3201));
@@ -1391,7 +1403,7 @@ let _e3276 = (_e3270 + _e2576);
 let _e3277 = (_e3270 + _e2630);
 let _e3278 = (_e3272 + _e2581);
 let _e3279 = (_e3272 + _e2633);
-local_4 = type_28(array<i32, 4>(_e3267, (_e3267 + 1i), (_e3267 + 2i), (_e3267 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_29(array<i32, 4>(_e3267, (_e3267 + 1i), (_e3267 + 2i), (_e3267 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = (_e3196 - vec3<f32>(f32(_e3212), f32(_e3228), f32(_e3244)));
 let _e3288 = (_e3278 + _e3276);
 let _e3291 = local_4.member[1u];
@@ -1447,11 +1459,11 @@ let _e3407 = (((_e3346 + (((_e3371 + (((_e3382 + ((bitcast<f32>(_e3391) - _e3382
 let _e3409 = select(_e2773, _e3407, (_e3407 > _e2773));
 let _e3411 = select(1e9f, _e3409, (_e3409 < 1e9f));
 if _e687 {
-phi_6043_ = (_e3411 > _e3101);
+phi_6044_ = (_e3411 > _e3101);
 } else {
-phi_6043_ = (_e3411 < _e3101);
+phi_6044_ = (_e3411 < _e3101);
 }
-let _e3415 = phi_6043_;
+let _e3415 = phi_6044_;
 let _e3416 = (_e1116 && _e3415);
 let _e3417 = select(_e3101, _e3411, _e3416);
 let _e3421 = (_e1113.member + (_e2424 * (3f * 0.25f)));
@@ -1468,7 +1480,7 @@ let _e3453 = select(_e508, _e3451, (_e3451 < _e508));
 let _e3455 = select(_e518, _e3445, (_e3445 > _e518));
 let _e3457 = select(_e524, _e3455, (_e3455 < _e524));
 if _e2469 {
-phi_6257_ = vec3<f32>(_e3449, _e3453, _e3457);
+phi_6258_ = vec3<f32>(_e3449, _e3453, _e3457);
 } else {
 let _e3459 = (_e3449 + 0.5f);
 let _e3461 = select(0f, _e3459, (_e3459 > 0f));
@@ -1482,9 +1494,9 @@ let _e3493 = (_e3457 + 0.5f);
 let _e3495 = select(0f, _e3493, (_e3493 > 0f));
 let _e3497 = select(_e632, _e3495, (_e3495 < _e632));
 let _e3504 = select(0i, select(select(i32(_e3497), i32(-2147483648), (_e3497 < -2147483600f)), 2147483647i, (_e3497 > 2147483500f)), (_e3497 == _e3497));
-phi_6257_ = vec3<f32>(f32((_e3470 - select(0i, 1i, (_e3463 < f32(_e3470))))), f32((_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))))), f32((_e3504 - select(0i, 1i, (_e3497 < f32(_e3504))))));
+phi_6258_ = vec3<f32>(f32((_e3470 - select(0i, 1i, (_e3463 < f32(_e3470))))), f32((_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))))), f32((_e3504 - select(0i, 1i, (_e3497 < f32(_e3504))))));
 }
-let _e3512 = phi_6257_;
+let _e3512 = phi_6258_;
 let _e3515 = select(-1f, _e3512.x, (_e3512.x > -1f));
 let _e3517 = select(_e574, _e3515, (_e3515 < _e574));
 let _e3524 = select(0i, select(select(i32(_e3517), i32(-2147483648), (_e3517 < -2147483600f)), 2147483647i, (_e3517 > 2147483500f)), (_e3517 == _e3517));
@@ -1510,7 +1522,7 @@ let _e3592 = (_e3586 + _e2576);
 let _e3593 = (_e3586 + _e2630);
 let _e3594 = (_e3588 + _e2581);
 let _e3595 = (_e3588 + _e2633);
-local_2 = type_28(array<i32, 4>(_e3583, (_e3583 + 1i), (_e3583 + 2i), (_e3583 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_29(array<i32, 4>(_e3583, (_e3583 + 1i), (_e3583 + 2i), (_e3583 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = (_e3512 - vec3<f32>(f32(_e3528), f32(_e3544), f32(_e3560)));
 let _e3604 = (_e3594 + _e3592);
 let _e3607 = local_2.member[1u];
@@ -1566,11 +1578,11 @@ let _e3723 = (((_e3662 + (((_e3687 + (((_e3698 + ((bitcast<f32>(_e3707) - _e3698
 let _e3725 = select(_e2773, _e3723, (_e3723 > _e2773));
 let _e3727 = select(1e9f, _e3725, (_e3725 < 1e9f));
 if _e687 {
-phi_6639_ = (_e3727 > _e3417);
+phi_6640_ = (_e3727 > _e3417);
 } else {
-phi_6639_ = (_e3727 < _e3417);
+phi_6640_ = (_e3727 < _e3417);
 }
-let _e3731 = phi_6639_;
+let _e3731 = phi_6640_;
 let _e3732 = (_e1116 && _e3731);
 let _e3733 = select(_e3417, _e3727, _e3732);
 let _e3736 = (_e1113.member + (_e2424 * 1f));
@@ -1587,7 +1599,7 @@ let _e3768 = select(_e508, _e3766, (_e3766 < _e508));
 let _e3770 = select(_e518, _e3760, (_e3760 > _e518));
 let _e3772 = select(_e524, _e3770, (_e3770 < _e524));
 if _e2469 {
-phi_6852_ = vec3<f32>(_e3764, _e3768, _e3772);
+phi_6853_ = vec3<f32>(_e3764, _e3768, _e3772);
 } else {
 let _e3774 = (_e3764 + 0.5f);
 let _e3776 = select(0f, _e3774, (_e3774 > 0f));
@@ -1601,9 +1613,9 @@ let _e3808 = (_e3772 + 0.5f);
 let _e3810 = select(0f, _e3808, (_e3808 > 0f));
 let _e3812 = select(_e632, _e3810, (_e3810 < _e632));
 let _e3819 = select(0i, select(select(i32(_e3812), i32(-2147483648), (_e3812 < -2147483600f)), 2147483647i, (_e3812 > 2147483500f)), (_e3812 == _e3812));
-phi_6852_ = vec3<f32>(f32((_e3785 - select(0i, 1i, (_e3778 < f32(_e3785))))), f32((_e3802 - select(0i, 1i, (_e3795 < f32(_e3802))))), f32((_e3819 - select(0i, 1i, (_e3812 < f32(_e3819))))));
+phi_6853_ = vec3<f32>(f32((_e3785 - select(0i, 1i, (_e3778 < f32(_e3785))))), f32((_e3802 - select(0i, 1i, (_e3795 < f32(_e3802))))), f32((_e3819 - select(0i, 1i, (_e3812 < f32(_e3819))))));
 }
-let _e3827 = phi_6852_;
+let _e3827 = phi_6853_;
 let _e3830 = select(-1f, _e3827.x, (_e3827.x > -1f));
 let _e3832 = select(_e574, _e3830, (_e3830 < _e574));
 let _e3839 = select(0i, select(select(i32(_e3832), i32(-2147483648), (_e3832 < -2147483600f)), 2147483647i, (_e3832 > 2147483500f)), (_e3832 == _e3832));
@@ -1629,7 +1641,7 @@ let _e3907 = (_e3901 + _e2576);
 let _e3908 = (_e3901 + _e2630);
 let _e3909 = (_e3903 + _e2581);
 let _e3910 = (_e3903 + _e2633);
-local = type_28(array<i32, 4>(_e3898, (_e3898 + 1i), (_e3898 + 2i), (_e3898 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local = type_29(array<i32, 4>(_e3898, (_e3898 + 1i), (_e3898 + 2i), (_e3898 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_1 = (_e3827 - vec3<f32>(f32(_e3843), f32(_e3859), f32(_e3875)));
 let _e3919 = (_e3909 + _e3907);
 let _e3922 = local.member[1u];
@@ -1685,43 +1697,43 @@ let _e4038 = (((_e3977 + (((_e4002 + (((_e4013 + ((bitcast<f32>(_e4022) - _e4013
 let _e4040 = select(_e2773, _e4038, (_e4038 > _e2773));
 let _e4042 = select(1e9f, _e4040, (_e4040 < 1e9f));
 if _e687 {
-phi_7234_ = (_e4042 > _e3733);
+phi_7235_ = (_e4042 > _e3733);
 } else {
-phi_7234_ = (_e4042 < _e3733);
+phi_7235_ = (_e4042 < _e3733);
 }
-let _e4046 = phi_7234_;
+let _e4046 = phi_7235_;
 let _e4047 = (_e1116 && _e4046);
-phi_7244_ = select(select(select(select(select(_e373[8], _e2432, _e2785), _e2795, _e3100), _e3111, _e3416), _e3427, _e3732), _e3742, _e4047);
-phi_7245_ = select(_e3733, _e4042, _e4047);
+phi_7245_ = select(select(select(select(select(_e373[8], _e2432, _e2785), _e2795, _e3100), _e3111, _e3416), _e3427, _e3732), _e3742, _e4047);
+phi_7246_ = select(_e3733, _e4042, _e4047);
 }
-let _e4051 = phi_7244_;
-let _e4053 = phi_7245_;
-phi_7263_ = array<f32, 23>(_e373[0], _e373[1], _e373[2], _e373[3], _e373[4], _e373[5], select(_e373[6], _e4053, _e1116), _e373[7], select(_e373[8], _e4051, _e1116), _e373[9], _e373[10], _e373[11], _e373[12], _e373[13], _e373[14], _e373[15], _e373[16], select(_e373[17], _e414, _e1116), _e373[18], _e373[19], _e373[20], _e373[21], _e373[22]);
+let _e4051 = phi_7245_;
+let _e4053 = phi_7246_;
+phi_7264_ = array<f32, 23>(_e373[0], _e373[1], _e373[2], _e373[3], _e373[4], _e373[5], select(_e373[6], _e4053, _e1116), _e373[7], select(_e373[8], _e4051, _e1116), _e373[9], _e373[10], _e373[11], _e373[12], _e373[13], _e373[14], _e373[15], _e373[16], select(_e373[17], _e414, _e1116), _e373[18], _e373[19], _e373[20], _e373[21], _e373[22]);
 } else {
-phi_7263_ = _e373;
+phi_7264_ = _e373;
 }
-let _e4059 = phi_7263_;
-phi_626_ = (_e369 + 1u);
-phi_629_ = select(_e371, true, _e745);
-phi_631_ = _e4059;
+let _e4059 = phi_7264_;
+phi_627_ = (_e369 + 1u);
+phi_630_ = select(_e371, true, _e745);
+phi_632_ = _e4059;
 } else {
-phi_626_ = u32();
-phi_629_ = bool();
-phi_631_ = array<f32, 23>();
+phi_627_ = u32();
+phi_630_ = bool();
+phi_632_ = array<f32, 23>();
 }
-let _e4063 = phi_626_;
-let _e4065 = phi_629_;
-let _e4067 = phi_631_;
+let _e4063 = phi_627_;
+let _e4065 = phi_630_;
+let _e4067 = phi_632_;
 continue;
 continuing {
-phi_625_ = _e4063;
-phi_628_ = _e4065;
-phi_630_ = _e4067;
-phi_7366_ = false;
+phi_626_ = _e4063;
+phi_629_ = _e4065;
+phi_631_ = _e4067;
+phi_7367_ = false;
 break if !(_e374);
 }
 }
-let _e4070 = phi_7366_;
+let _e4070 = phi_7367_;
 if _e4070 {
 break;
 }

@@ -121,6 +121,18 @@ member: type_8,
 member_1: u32,
 }
 struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+}
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -135,7 +147,7 @@ member_10: f32,
 member_11: f32,
 member_12: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_3,
@@ -156,83 +168,83 @@ member_16: type_19,
 member_17: type_19,
 member_18: type_19,
 member_19: type_19,
-member_20: type_7,
+member_20: type_20,
 member_21: f32,
 member_22: f32,
-member_23: type_20,
+member_23: type_21,
 }
-struct type_23 {
+struct type_24 {
 member: array<u32>,
 }
-struct type_25 {
+struct type_26 {
 member: array<f32>,
 }
-struct type_28 {
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: f32,
 }
-struct type_33 {
-member: array<type_21>,
+struct type_34 {
+member: array<type_22>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(0)
-var<storage> global_2: type_33;
+var<storage> global_2: type_34;
 @group(0) @binding(3)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
-var local: type_28;
+var local: type_29;
 var local_1: vec3<f32>;
-var local_2: type_28;
+var local_2: type_29;
 var local_3: vec3<f32>;
-var local_4: type_28;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_28;
+var local_6: type_29;
 var local_7: vec3<f32>;
-var local_8: type_28;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_28;
+var local_10: type_29;
 var local_11: vec3<f32>;
-var local_12: type_28;
+var local_12: type_29;
 var local_13: vec3<f32>;
-var local_14: type_28;
+var local_14: type_29;
 var local_15: vec3<f32>;
-var local_16: type_28;
+var local_16: type_29;
 var local_17: vec3<f32>;
-var phi_627_: u32;
-var phi_630_: bool;
-var phi_632_: array<f32, 23>;
-var phi_996_: bool;
-var phi_1892_: type_31;
-var phi_2113_: vec3<f32>;
-var phi_2862_: vec3<f32>;
-var phi_3611_: vec3<f32>;
-var phi_4360_: vec3<f32>;
-var phi_4937_: f32;
-var phi_5145_: vec3<f32>;
-var phi_5699_: bool;
-var phi_5912_: vec3<f32>;
-var phi_6463_: bool;
-var phi_6677_: vec3<f32>;
-var phi_7228_: bool;
-var phi_7442_: vec3<f32>;
-var phi_7993_: bool;
-var phi_8206_: vec3<f32>;
-var phi_8757_: bool;
-var phi_8767_: f32;
-var phi_8768_: f32;
-var phi_8786_: array<f32, 23>;
 var phi_628_: u32;
 var phi_631_: bool;
 var phi_633_: array<f32, 23>;
-var phi_8889_: bool;
+var phi_997_: bool;
+var phi_1893_: type_32;
+var phi_2114_: vec3<f32>;
+var phi_2863_: vec3<f32>;
+var phi_3612_: vec3<f32>;
+var phi_4361_: vec3<f32>;
+var phi_4938_: f32;
+var phi_5146_: vec3<f32>;
+var phi_5700_: bool;
+var phi_5913_: vec3<f32>;
+var phi_6464_: bool;
+var phi_6678_: vec3<f32>;
+var phi_7229_: bool;
+var phi_7443_: vec3<f32>;
+var phi_7994_: bool;
+var phi_8207_: vec3<f32>;
+var phi_8758_: bool;
+var phi_8768_: f32;
+var phi_8769_: f32;
+var phi_8787_: array<f32, 23>;
+var phi_629_: u32;
+var phi_632_: bool;
+var phi_634_: array<f32, 23>;
+var phi_8890_: bool;
 var local_18: bool;
 var local_19: array<f32, 23>;
 var local_20: array<f32, 23>;
@@ -366,13 +378,13 @@ let _e355 = ((22u * _e110) + _e112);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e115, _e356, (_e356 < _e115));
 let _e364 = global_4.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
-phi_627_ = 0u;
-phi_630_ = false;
-phi_632_ = array<f32, 23>(_e123, _e133, _e144, _e155, _e166, _e177, _e188, _e199, _e210, _e221, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
+phi_628_ = 0u;
+phi_631_ = false;
+phi_633_ = array<f32, 23>(_e123, _e133, _e144, _e155, _e166, _e177, _e188, _e199, _e210, _e221, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
 loop {
-let _e367 = phi_627_;
-let _e369 = phi_630_;
-let _e371 = phi_632_;
+let _e367 = phi_628_;
+let _e369 = phi_631_;
+let _e371 = phi_633_;
 local_18 = _e369;
 local_19 = _e371;
 local_20 = _e371;
@@ -401,7 +413,7 @@ let _e372 = (_e367 < _e81);
 if _e372 {
 if _e372 {
 } else {
-phi_8889_ = true;
+phi_8890_ = true;
 break;
 }
 let _e376 = global_2.member[_e367].member;
@@ -476,11 +488,11 @@ let _e683 = bitcast<f32>(_e682);
 let _e684 = (_e371[17] == -1.2676506e30f);
 let _e685 = (_e376.member_2 == 0u);
 if _e685 {
-phi_996_ = (_e683 <= _e371[6]);
+phi_997_ = (_e683 <= _e371[6]);
 } else {
-phi_996_ = (_e683 >= _e371[6]);
+phi_997_ = (_e683 >= _e371[6]);
 }
-let _e689 = phi_996_;
+let _e689 = phi_997_;
 let _e691 = !(_e684);
 let _e698 = global_2.member[_e367].member_1;
 let _e706 = (_e484 + 0.5f);
@@ -559,7 +571,7 @@ let _e915 = select(1f, _e908, (_e910 && (_e893 <= 0f)));
 let _e917 = select(_e912, _e890, (_e890 > _e912));
 let _e919 = select(_e915, _e892, (_e892 < _e915));
 if _e736 {
-phi_1892_ = type_31(_e917, _e919);
+phi_1893_ = type_32(_e917, _e919);
 } else {
 let _e925 = global_2.member[_e367].member_16.member;
 let _e936 = ((((_e925.member.member * _e401) + (_e925.member.member_1 * _e403)) + (_e925.member.member_2 * _e391)) + _e925.member_1);
@@ -607,9 +619,9 @@ let _e1097 = select(1f, _e1095, (_e1095 < 1f));
 let _e1099 = (_e1083 > 0f);
 let _e1101 = select(0f, select(_e1097, 2f, _e1099), (_e1077 > 0f));
 let _e1104 = select(1f, _e1097, (_e1099 && (_e1077 <= 0f)));
-phi_1892_ = type_31(select(_e1101, _e1059, (_e1059 > _e1101)), select(_e1104, _e1061, (_e1061 < _e1104)));
+phi_1893_ = type_32(select(_e1101, _e1059, (_e1059 > _e1101)), select(_e1104, _e1061, (_e1061 < _e1104)));
 }
-let _e1111 = phi_1892_;
+let _e1111 = phi_1893_;
 let _e1114 = (_e1111.member_1 > _e1111.member);
 let _e1115 = (_e405 - _e401);
 let _e1116 = (_e407 - _e403);
@@ -632,7 +644,7 @@ let _e1158 = select(_e522, _e1156, (_e1156 < _e522));
 let _e1164 = global_2.member[_e367].member_8.member_15;
 let _e1165 = (_e1164 == 0u);
 if _e1165 {
-phi_2113_ = vec3<f32>(_e1150, _e1154, _e1158);
+phi_2114_ = vec3<f32>(_e1150, _e1154, _e1158);
 } else {
 let _e1166 = (_e1150 + 0.5f);
 let _e1168 = select(0f, _e1166, (_e1166 > 0f));
@@ -646,9 +658,9 @@ let _e1200 = (_e1158 + 0.5f);
 let _e1202 = select(0f, _e1200, (_e1200 > 0f));
 let _e1204 = select(_e630, _e1202, (_e1202 < _e630));
 let _e1211 = select(0i, select(select(i32(_e1204), i32(-2147483648), (_e1204 < -2147483600f)), 2147483647i, (_e1204 > 2147483500f)), (_e1204 == _e1204));
-phi_2113_ = vec3<f32>(f32((_e1177 - select(0i, 1i, (_e1170 < f32(_e1177))))), f32((_e1194 - select(0i, 1i, (_e1187 < f32(_e1194))))), f32((_e1211 - select(0i, 1i, (_e1204 < f32(_e1211))))));
+phi_2114_ = vec3<f32>(f32((_e1177 - select(0i, 1i, (_e1170 < f32(_e1177))))), f32((_e1194 - select(0i, 1i, (_e1187 < f32(_e1194))))), f32((_e1211 - select(0i, 1i, (_e1204 < f32(_e1211))))));
 }
-let _e1219 = phi_2113_;
+let _e1219 = phi_2114_;
 let _e1222 = select(-1f, _e1219.x, (_e1219.x > -1f));
 let _e1224 = select(_e572, _e1222, (_e1222 < _e572));
 let _e1231 = select(0i, select(select(i32(_e1224), i32(-2147483648), (_e1224 < -2147483600f)), 2147483647i, (_e1224 > 2147483500f)), (_e1224 == _e1224));
@@ -684,7 +696,7 @@ let _e1350 = (select(0i, _e1251, (_e1251 > 0i)) * _e1272);
 let _e1351 = (select(_e1285, _e1288, (_e1288 < _e1285)) * _e1272);
 let _e1352 = (select(0i, _e1267, (_e1267 > 0i)) * _e1277);
 let _e1353 = (select(_e1298, _e1301, (_e1301 < _e1298)) * _e1277);
-local_16 = type_28(array<i32, 4>(_e1327, _e1329, _e1331, 0i), array<u32, 6>(bitcast<u32>(((_e1314 - _e1327) * 16i)), bitcast<u32>(((_e1316 - _e1327) * 16i)), bitcast<u32>(((_e1316 - _e1329) * 16i)), bitcast<u32>(((_e1319 - _e1329) * 16i)), bitcast<u32>(((_e1319 - _e1331) * 16i)), bitcast<u32>(((select(_e1311, _e1320, (_e1320 < _e1311)) - _e1331) * 16i))));
+local_16 = type_29(array<i32, 4>(_e1327, _e1329, _e1331, 0i), array<u32, 6>(bitcast<u32>(((_e1314 - _e1327) * 16i)), bitcast<u32>(((_e1316 - _e1327) * 16i)), bitcast<u32>(((_e1316 - _e1329) * 16i)), bitcast<u32>(((_e1319 - _e1329) * 16i)), bitcast<u32>(((_e1319 - _e1331) * 16i)), bitcast<u32>(((select(_e1311, _e1320, (_e1320 < _e1311)) - _e1331) * 16i))));
 local_17 = (_e1219 - vec3<f32>(f32(_e1235), f32(_e1251), f32(_e1267)));
 let _e1366 = local_16.member[1u];
 let _e1367 = ((_e1352 + _e1350) + _e1366);
@@ -768,7 +780,7 @@ let _e1640 = select(_e506, _e1638, (_e1638 < _e506));
 let _e1642 = select(_e516, _e1632, (_e1632 > _e516));
 let _e1644 = select(_e522, _e1642, (_e1642 < _e522));
 if _e1165 {
-phi_2862_ = vec3<f32>(_e1636, _e1640, _e1644);
+phi_2863_ = vec3<f32>(_e1636, _e1640, _e1644);
 } else {
 let _e1646 = (_e1636 + 0.5f);
 let _e1648 = select(0f, _e1646, (_e1646 > 0f));
@@ -782,9 +794,9 @@ let _e1680 = (_e1644 + 0.5f);
 let _e1682 = select(0f, _e1680, (_e1680 > 0f));
 let _e1684 = select(_e630, _e1682, (_e1682 < _e630));
 let _e1691 = select(0i, select(select(i32(_e1684), i32(-2147483648), (_e1684 < -2147483600f)), 2147483647i, (_e1684 > 2147483500f)), (_e1684 == _e1684));
-phi_2862_ = vec3<f32>(f32((_e1657 - select(0i, 1i, (_e1650 < f32(_e1657))))), f32((_e1674 - select(0i, 1i, (_e1667 < f32(_e1674))))), f32((_e1691 - select(0i, 1i, (_e1684 < f32(_e1691))))));
+phi_2863_ = vec3<f32>(f32((_e1657 - select(0i, 1i, (_e1650 < f32(_e1657))))), f32((_e1674 - select(0i, 1i, (_e1667 < f32(_e1674))))), f32((_e1691 - select(0i, 1i, (_e1684 < f32(_e1691))))));
 }
-let _e1699 = phi_2862_;
+let _e1699 = phi_2863_;
 let _e1702 = select(-1f, _e1699.x, (_e1699.x > -1f));
 let _e1704 = select(_e572, _e1702, (_e1702 < _e572));
 let _e1711 = select(0i, select(select(i32(_e1704), i32(-2147483648), (_e1704 < -2147483600f)), 2147483647i, (_e1704 > 2147483500f)), (_e1704 == _e1704));
@@ -812,7 +824,7 @@ let _e1793 = (select(0i, _e1731, (_e1731 > 0i)) * _e1272);
 let _e1794 = (select(_e1285, _e1750, (_e1750 < _e1285)) * _e1272);
 let _e1795 = (select(0i, _e1747, (_e1747 > 0i)) * _e1277);
 let _e1796 = (select(_e1298, _e1755, (_e1755 < _e1298)) * _e1277);
-local_14 = type_28(array<i32, 4>(_e1770, _e1772, _e1774, 0i), array<u32, 6>(bitcast<u32>(((_e1760 - _e1770) * 16i)), bitcast<u32>(((_e1762 - _e1770) * 16i)), bitcast<u32>(((_e1762 - _e1772) * 16i)), bitcast<u32>(((_e1765 - _e1772) * 16i)), bitcast<u32>(((_e1765 - _e1774) * 16i)), bitcast<u32>(((select(_e1311, _e1766, (_e1766 < _e1311)) - _e1774) * 16i))));
+local_14 = type_29(array<i32, 4>(_e1770, _e1772, _e1774, 0i), array<u32, 6>(bitcast<u32>(((_e1760 - _e1770) * 16i)), bitcast<u32>(((_e1762 - _e1770) * 16i)), bitcast<u32>(((_e1762 - _e1772) * 16i)), bitcast<u32>(((_e1765 - _e1772) * 16i)), bitcast<u32>(((_e1765 - _e1774) * 16i)), bitcast<u32>(((select(_e1311, _e1766, (_e1766 < _e1311)) - _e1774) * 16i))));
 local_15 = (_e1699 - vec3<f32>(f32(_e1715), f32(_e1731), f32(_e1747)));
 let _e1809 = local_14.member[1u];
 let _e1810 = ((_e1795 + _e1793) + _e1809);
@@ -892,7 +904,7 @@ let _e2070 = select(_e506, _e2068, (_e2068 < _e506));
 let _e2072 = select(_e516, _e2062, (_e2062 > _e516));
 let _e2074 = select(_e522, _e2072, (_e2072 < _e522));
 if _e1165 {
-phi_3611_ = vec3<f32>(_e2066, _e2070, _e2074);
+phi_3612_ = vec3<f32>(_e2066, _e2070, _e2074);
 } else {
 let _e2076 = (_e2066 + 0.5f);
 let _e2078 = select(0f, _e2076, (_e2076 > 0f));
@@ -906,9 +918,9 @@ let _e2110 = (_e2074 + 0.5f);
 let _e2112 = select(0f, _e2110, (_e2110 > 0f));
 let _e2114 = select(_e630, _e2112, (_e2112 < _e630));
 let _e2121 = select(0i, select(select(i32(_e2114), i32(-2147483648), (_e2114 < -2147483600f)), 2147483647i, (_e2114 > 2147483500f)), (_e2114 == _e2114));
-phi_3611_ = vec3<f32>(f32((_e2087 - select(0i, 1i, (_e2080 < f32(_e2087))))), f32((_e2104 - select(0i, 1i, (_e2097 < f32(_e2104))))), f32((_e2121 - select(0i, 1i, (_e2114 < f32(_e2121))))));
+phi_3612_ = vec3<f32>(f32((_e2087 - select(0i, 1i, (_e2080 < f32(_e2087))))), f32((_e2104 - select(0i, 1i, (_e2097 < f32(_e2104))))), f32((_e2121 - select(0i, 1i, (_e2114 < f32(_e2121))))));
 }
-let _e2129 = phi_3611_;
+let _e2129 = phi_3612_;
 let _e2132 = select(-1f, _e2129.x, (_e2129.x > -1f));
 let _e2134 = select(_e572, _e2132, (_e2132 < _e572));
 let _e2141 = select(0i, select(select(i32(_e2134), i32(-2147483648), (_e2134 < -2147483600f)), 2147483647i, (_e2134 > 2147483500f)), (_e2134 == _e2134));
@@ -936,7 +948,7 @@ let _e2223 = (select(0i, _e2161, (_e2161 > 0i)) * _e1272);
 let _e2224 = (select(_e1285, _e2180, (_e2180 < _e1285)) * _e1272);
 let _e2225 = (select(0i, _e2177, (_e2177 > 0i)) * _e1277);
 let _e2226 = (select(_e1298, _e2185, (_e2185 < _e1298)) * _e1277);
-local_12 = type_28(array<i32, 4>(_e2200, _e2202, _e2204, 0i), array<u32, 6>(bitcast<u32>(((_e2190 - _e2200) * 16i)), bitcast<u32>(((_e2192 - _e2200) * 16i)), bitcast<u32>(((_e2192 - _e2202) * 16i)), bitcast<u32>(((_e2195 - _e2202) * 16i)), bitcast<u32>(((_e2195 - _e2204) * 16i)), bitcast<u32>(((select(_e1311, _e2196, (_e2196 < _e1311)) - _e2204) * 16i))));
+local_12 = type_29(array<i32, 4>(_e2200, _e2202, _e2204, 0i), array<u32, 6>(bitcast<u32>(((_e2190 - _e2200) * 16i)), bitcast<u32>(((_e2192 - _e2200) * 16i)), bitcast<u32>(((_e2192 - _e2202) * 16i)), bitcast<u32>(((_e2195 - _e2202) * 16i)), bitcast<u32>(((_e2195 - _e2204) * 16i)), bitcast<u32>(((select(_e1311, _e2196, (_e2196 < _e1311)) - _e2204) * 16i))));
 local_13 = (_e2129 - vec3<f32>(f32(_e2145), f32(_e2161), f32(_e2177)));
 let _e2239 = local_12.member[1u];
 let _e2240 = ((_e2225 + _e2223) + _e2239);
@@ -1016,7 +1028,7 @@ let _e2500 = select(_e506, _e2498, (_e2498 < _e506));
 let _e2502 = select(_e516, _e2492, (_e2492 > _e516));
 let _e2504 = select(_e522, _e2502, (_e2502 < _e522));
 if _e1165 {
-phi_4360_ = vec3<f32>(_e2496, _e2500, _e2504);
+phi_4361_ = vec3<f32>(_e2496, _e2500, _e2504);
 } else {
 let _e2506 = (_e2496 + 0.5f);
 let _e2508 = select(0f, _e2506, (_e2506 > 0f));
@@ -1030,9 +1042,9 @@ let _e2540 = (_e2504 + 0.5f);
 let _e2542 = select(0f, _e2540, (_e2540 > 0f));
 let _e2544 = select(_e630, _e2542, (_e2542 < _e630));
 let _e2551 = select(0i, select(select(i32(_e2544), i32(-2147483648), (_e2544 < -2147483600f)), 2147483647i, (_e2544 > 2147483500f)), (_e2544 == _e2544));
-phi_4360_ = vec3<f32>(f32((_e2517 - select(0i, 1i, (_e2510 < f32(_e2517))))), f32((_e2534 - select(0i, 1i, (_e2527 < f32(_e2534))))), f32((_e2551 - select(0i, 1i, (_e2544 < f32(_e2551))))));
+phi_4361_ = vec3<f32>(f32((_e2517 - select(0i, 1i, (_e2510 < f32(_e2517))))), f32((_e2534 - select(0i, 1i, (_e2527 < f32(_e2534))))), f32((_e2551 - select(0i, 1i, (_e2544 < f32(_e2551))))));
 }
-let _e2559 = phi_4360_;
+let _e2559 = phi_4361_;
 let _e2562 = select(-1f, _e2559.x, (_e2559.x > -1f));
 let _e2564 = select(_e572, _e2562, (_e2562 < _e572));
 let _e2571 = select(0i, select(select(i32(_e2564), i32(-2147483648), (_e2564 < -2147483600f)), 2147483647i, (_e2564 > 2147483500f)), (_e2564 == _e2564));
@@ -1060,7 +1072,7 @@ let _e2653 = (select(0i, _e2591, (_e2591 > 0i)) * _e1272);
 let _e2654 = (select(_e1285, _e2610, (_e2610 < _e1285)) * _e1272);
 let _e2655 = (select(0i, _e2607, (_e2607 > 0i)) * _e1277);
 let _e2656 = (select(_e1298, _e2615, (_e2615 < _e1298)) * _e1277);
-local_10 = type_28(array<i32, 4>(_e2630, _e2632, _e2634, 0i), array<u32, 6>(bitcast<u32>(((_e2620 - _e2630) * 16i)), bitcast<u32>(((_e2622 - _e2630) * 16i)), bitcast<u32>(((_e2622 - _e2632) * 16i)), bitcast<u32>(((_e2625 - _e2632) * 16i)), bitcast<u32>(((_e2625 - _e2634) * 16i)), bitcast<u32>(((select(_e1311, _e2626, (_e2626 < _e1311)) - _e2634) * 16i))));
+local_10 = type_29(array<i32, 4>(_e2630, _e2632, _e2634, 0i), array<u32, 6>(bitcast<u32>(((_e2620 - _e2630) * 16i)), bitcast<u32>(((_e2622 - _e2630) * 16i)), bitcast<u32>(((_e2622 - _e2632) * 16i)), bitcast<u32>(((_e2625 - _e2632) * 16i)), bitcast<u32>(((_e2625 - _e2634) * 16i)), bitcast<u32>(((select(_e1311, _e2626, (_e2626 < _e1311)) - _e2634) * 16i))));
 local_11 = (_e2559 - vec3<f32>(f32(_e2575), f32(_e2591), f32(_e2607)));
 let _e2669 = local_10.member[1u];
 let _e2670 = ((_e2655 + _e2653) + _e2669);
@@ -1128,15 +1140,15 @@ let _e2891 = (((_e2778 + (((_e2829 + (((_e2869 + ((f32(bitcast<i32>(((_e2862 >> 
 let _e2893 = select(_e1601, _e2891, (_e2891 > _e1601));
 let _e2900 = (((_e1115 * _e1115) + (_e1116 * _e1116)) + (_e1117 * _e1117));
 let _e2905 = select(0f, (sqrt(select(0f, _e2900, (_e2900 > 0f))) * _e1120), _e1114);
-phi_8767_ = (_e371[8] + _e2905);
-phi_8768_ = (_e371[6] + ((((select(1e9f, _e1603, (_e1603 < 1e9f)) + select(1e9f, _e2033, (_e2033 < 1e9f))) + (select(1e9f, _e2463, (_e2463 < 1e9f)) + select(1e9f, _e2893, (_e2893 < 1e9f)))) * 0.25f) * _e2905));
+phi_8768_ = (_e371[8] + _e2905);
+phi_8769_ = (_e371[6] + ((((select(1e9f, _e1603, (_e1603 < 1e9f)) + select(1e9f, _e2033, (_e2033 < 1e9f))) + (select(1e9f, _e2463, (_e2463 < 1e9f)) + select(1e9f, _e2893, (_e2893 < 1e9f)))) * 0.25f) * _e2905));
 } else {
 if _e685 {
-phi_4937_ = -(2e9f);
+phi_4938_ = -(2e9f);
 } else {
-phi_4937_ = 2e9f;
+phi_4938_ = 2e9f;
 }
-let _e2915 = phi_4937_;
+let _e2915 = phi_4938_;
 let _e2916 = select(_e371[6], _e2915, _e684);
 let _e2917 = (_e1111.member_1 - _e1111.member);
 let _e2919 = (_e1111.member + (_e2917 * 0f));
@@ -1155,7 +1167,7 @@ let _e2955 = select(_e522, _e2953, (_e2953 < _e522));
 let _e2961 = global_2.member[_e367].member_8.member_15;
 let _e2962 = (_e2961 == 0u);
 if _e2962 {
-phi_5145_ = vec3<f32>(_e2947, _e2951, _e2955);
+phi_5146_ = vec3<f32>(_e2947, _e2951, _e2955);
 } else {
 let _e2963 = (_e2947 + 0.5f);
 let _e2965 = select(0f, _e2963, (_e2963 > 0f));
@@ -1169,9 +1181,9 @@ let _e2997 = (_e2955 + 0.5f);
 let _e2999 = select(0f, _e2997, (_e2997 > 0f));
 let _e3001 = select(_e630, _e2999, (_e2999 < _e630));
 let _e3008 = select(0i, select(select(i32(_e3001), i32(-2147483648), (_e3001 < -2147483600f)), 2147483647i, (_e3001 > 2147483500f)), (_e3001 == _e3001));
-phi_5145_ = vec3<f32>(f32((_e2974 - select(0i, 1i, (_e2967 < f32(_e2974))))), f32((_e2991 - select(0i, 1i, (_e2984 < f32(_e2991))))), f32((_e3008 - select(0i, 1i, (_e3001 < f32(_e3008))))));
+phi_5146_ = vec3<f32>(f32((_e2974 - select(0i, 1i, (_e2967 < f32(_e2974))))), f32((_e2991 - select(0i, 1i, (_e2984 < f32(_e2991))))), f32((_e3008 - select(0i, 1i, (_e3001 < f32(_e3008))))));
 }
-let _e3016 = phi_5145_;
+let _e3016 = phi_5146_;
 let _e3019 = select(-1f, _e3016.x, (_e3016.x > -1f));
 let _e3021 = select(_e572, _e3019, (_e3019 < _e572));
 let _e3028 = select(0i, select(select(i32(_e3021), i32(-2147483648), (_e3021 < -2147483600f)), 2147483647i, (_e3021 > 2147483500f)), (_e3021 == _e3021));
@@ -1207,7 +1219,7 @@ let _e3147 = (select(0i, _e3048, (_e3048 > 0i)) * _e3069);
 let _e3148 = (select(_e3082, _e3085, (_e3085 < _e3082)) * _e3069);
 let _e3149 = (select(0i, _e3064, (_e3064 > 0i)) * _e3074);
 let _e3150 = (select(_e3095, _e3098, (_e3098 < _e3095)) * _e3074);
-local_8 = type_28(array<i32, 4>(_e3124, _e3126, _e3128, 0i), array<u32, 6>(bitcast<u32>(((_e3111 - _e3124) * 16i)), bitcast<u32>(((_e3113 - _e3124) * 16i)), bitcast<u32>(((_e3113 - _e3126) * 16i)), bitcast<u32>(((_e3116 - _e3126) * 16i)), bitcast<u32>(((_e3116 - _e3128) * 16i)), bitcast<u32>(((select(_e3108, _e3117, (_e3117 < _e3108)) - _e3128) * 16i))));
+local_8 = type_29(array<i32, 4>(_e3124, _e3126, _e3128, 0i), array<u32, 6>(bitcast<u32>(((_e3111 - _e3124) * 16i)), bitcast<u32>(((_e3113 - _e3124) * 16i)), bitcast<u32>(((_e3113 - _e3126) * 16i)), bitcast<u32>(((_e3116 - _e3126) * 16i)), bitcast<u32>(((_e3116 - _e3128) * 16i)), bitcast<u32>(((select(_e3108, _e3117, (_e3117 < _e3108)) - _e3128) * 16i))));
 local_9 = (_e3016 - vec3<f32>(f32(_e3032), f32(_e3048), f32(_e3064)));
 let _e3163 = local_8.member[1u];
 let _e3164 = ((_e3149 + _e3147) + _e3163);
@@ -1279,11 +1291,11 @@ let _e3398 = -(1e9f);
 let _e3400 = select(_e3398, _e3397, (_e3397 > _e3398));
 let _e3402 = select(1e9f, _e3400, (_e3400 < 1e9f));
 if _e685 {
-phi_5699_ = (_e3402 > _e2916);
+phi_5700_ = (_e3402 > _e2916);
 } else {
-phi_5699_ = (_e3402 < _e2916);
+phi_5700_ = (_e3402 < _e2916);
 }
-let _e3409 = phi_5699_;
+let _e3409 = phi_5700_;
 let _e3410 = ((_e1114 && (_e684 || (_e1111.member > 0f))) && _e3409);
 let _e3411 = select(_e2916, _e3402, _e3410);
 let _e3414 = (_e1111.member + (_e2917 * 0.25f));
@@ -1300,7 +1312,7 @@ let _e3446 = select(_e506, _e3444, (_e3444 < _e506));
 let _e3448 = select(_e516, _e3438, (_e3438 > _e516));
 let _e3450 = select(_e522, _e3448, (_e3448 < _e522));
 if _e2962 {
-phi_5912_ = vec3<f32>(_e3442, _e3446, _e3450);
+phi_5913_ = vec3<f32>(_e3442, _e3446, _e3450);
 } else {
 let _e3452 = (_e3442 + 0.5f);
 let _e3454 = select(0f, _e3452, (_e3452 > 0f));
@@ -1314,9 +1326,9 @@ let _e3486 = (_e3450 + 0.5f);
 let _e3488 = select(0f, _e3486, (_e3486 > 0f));
 let _e3490 = select(_e630, _e3488, (_e3488 < _e630));
 let _e3497 = select(0i, select(select(i32(_e3490), i32(-2147483648), (_e3490 < -2147483600f)), 2147483647i, (_e3490 > 2147483500f)), (_e3490 == _e3490));
-phi_5912_ = vec3<f32>(f32((_e3463 - select(0i, 1i, (_e3456 < f32(_e3463))))), f32((_e3480 - select(0i, 1i, (_e3473 < f32(_e3480))))), f32((_e3497 - select(0i, 1i, (_e3490 < f32(_e3497))))));
+phi_5913_ = vec3<f32>(f32((_e3463 - select(0i, 1i, (_e3456 < f32(_e3463))))), f32((_e3480 - select(0i, 1i, (_e3473 < f32(_e3480))))), f32((_e3497 - select(0i, 1i, (_e3490 < f32(_e3497))))));
 }
-let _e3505 = phi_5912_;
+let _e3505 = phi_5913_;
 let _e3508 = select(-1f, _e3505.x, (_e3505.x > -1f));
 let _e3510 = select(_e572, _e3508, (_e3508 < _e572));
 let _e3517 = select(0i, select(select(i32(_e3510), i32(-2147483648), (_e3510 < -2147483600f)), 2147483647i, (_e3510 > 2147483500f)), (_e3510 == _e3510));
@@ -1344,7 +1356,7 @@ let _e3599 = (select(0i, _e3537, (_e3537 > 0i)) * _e3069);
 let _e3600 = (select(_e3082, _e3556, (_e3556 < _e3082)) * _e3069);
 let _e3601 = (select(0i, _e3553, (_e3553 > 0i)) * _e3074);
 let _e3602 = (select(_e3095, _e3561, (_e3561 < _e3095)) * _e3074);
-local_6 = type_28(array<i32, 4>(_e3576, _e3578, _e3580, 0i), array<u32, 6>(bitcast<u32>(((_e3566 - _e3576) * 16i)), bitcast<u32>(((_e3568 - _e3576) * 16i)), bitcast<u32>(((_e3568 - _e3578) * 16i)), bitcast<u32>(((_e3571 - _e3578) * 16i)), bitcast<u32>(((_e3571 - _e3580) * 16i)), bitcast<u32>(((select(_e3108, _e3572, (_e3572 < _e3108)) - _e3580) * 16i))));
+local_6 = type_29(array<i32, 4>(_e3576, _e3578, _e3580, 0i), array<u32, 6>(bitcast<u32>(((_e3566 - _e3576) * 16i)), bitcast<u32>(((_e3568 - _e3576) * 16i)), bitcast<u32>(((_e3568 - _e3578) * 16i)), bitcast<u32>(((_e3571 - _e3578) * 16i)), bitcast<u32>(((_e3571 - _e3580) * 16i)), bitcast<u32>(((select(_e3108, _e3572, (_e3572 < _e3108)) - _e3580) * 16i))));
 local_7 = (_e3505 - vec3<f32>(f32(_e3521), f32(_e3537), f32(_e3553)));
 let _e3615 = local_6.member[1u];
 let _e3616 = ((_e3601 + _e3599) + _e3615);
@@ -1412,11 +1424,11 @@ let _e3837 = (((_e3724 + (((_e3775 + (((_e3815 + ((f32(bitcast<i32>(((_e3808 >> 
 let _e3839 = select(_e3398, _e3837, (_e3837 > _e3398));
 let _e3841 = select(1e9f, _e3839, (_e3839 < 1e9f));
 if _e685 {
-phi_6463_ = (_e3841 > _e3411);
+phi_6464_ = (_e3841 > _e3411);
 } else {
-phi_6463_ = (_e3841 < _e3411);
+phi_6464_ = (_e3841 < _e3411);
 }
-let _e3845 = phi_6463_;
+let _e3845 = phi_6464_;
 let _e3846 = (_e1114 && _e3845);
 let _e3847 = select(_e3411, _e3841, _e3846);
 let _e3851 = (_e1111.member + (_e2917 * (2f * 0.25f)));
@@ -1433,7 +1445,7 @@ let _e3883 = select(_e506, _e3881, (_e3881 < _e506));
 let _e3885 = select(_e516, _e3875, (_e3875 > _e516));
 let _e3887 = select(_e522, _e3885, (_e3885 < _e522));
 if _e2962 {
-phi_6677_ = vec3<f32>(_e3879, _e3883, _e3887);
+phi_6678_ = vec3<f32>(_e3879, _e3883, _e3887);
 } else {
 let _e3889 = (_e3879 + 0.5f);
 let _e3891 = select(0f, _e3889, (_e3889 > 0f));
@@ -1447,9 +1459,9 @@ let _e3923 = (_e3887 + 0.5f);
 let _e3925 = select(0f, _e3923, (_e3923 > 0f));
 let _e3927 = select(_e630, _e3925, (_e3925 < _e630));
 let _e3934 = select(0i, select(select(i32(_e3927), i32(-2147483648), (_e3927 < -2147483600f)), 2147483647i, (_e3927 > 2147483500f)), (_e3927 == _e3927));
-phi_6677_ = vec3<f32>(f32((_e3900 - select(0i, 1i, (_e3893 < f32(_e3900))))), f32((_e3917 - select(0i, 1i, (_e3910 < f32(_e3917))))), f32((_e3934 - select(0i, 1i, (_e3927 < f32(_e3934))))));
+phi_6678_ = vec3<f32>(f32((_e3900 - select(0i, 1i, (_e3893 < f32(_e3900))))), f32((_e3917 - select(0i, 1i, (_e3910 < f32(_e3917))))), f32((_e3934 - select(0i, 1i, (_e3927 < f32(_e3934))))));
 }
-let _e3942 = phi_6677_;
+let _e3942 = phi_6678_;
 let _e3945 = select(-1f, _e3942.x, (_e3942.x > -1f));
 let _e3947 = select(_e572, _e3945, (_e3945 < _e572));
 let _e3954 = select(0i, select(select(i32(_e3947), i32(-2147483648), (_e3947 < -2147483600f)), 2147483647i, (_e3947 > 2147483500f)), (_e3947 == _e3947));
@@ -1477,7 +1489,7 @@ let _e4036 = (select(0i, _e3974, (_e3974 > 0i)) * _e3069);
 let _e4037 = (select(_e3082, _e3993, (_e3993 < _e3082)) * _e3069);
 let _e4038 = (select(0i, _e3990, (_e3990 > 0i)) * _e3074);
 let _e4039 = (select(_e3095, _e3998, (_e3998 < _e3095)) * _e3074);
-local_4 = type_28(array<i32, 4>(_e4013, _e4015, _e4017, 0i), array<u32, 6>(bitcast<u32>(((_e4003 - _e4013) * 16i)), bitcast<u32>(((_e4005 - _e4013) * 16i)), bitcast<u32>(((_e4005 - _e4015) * 16i)), bitcast<u32>(((_e4008 - _e4015) * 16i)), bitcast<u32>(((_e4008 - _e4017) * 16i)), bitcast<u32>(((select(_e3108, _e4009, (_e4009 < _e3108)) - _e4017) * 16i))));
+local_4 = type_29(array<i32, 4>(_e4013, _e4015, _e4017, 0i), array<u32, 6>(bitcast<u32>(((_e4003 - _e4013) * 16i)), bitcast<u32>(((_e4005 - _e4013) * 16i)), bitcast<u32>(((_e4005 - _e4015) * 16i)), bitcast<u32>(((_e4008 - _e4015) * 16i)), bitcast<u32>(((_e4008 - _e4017) * 16i)), bitcast<u32>(((select(_e3108, _e4009, (_e4009 < _e3108)) - _e4017) * 16i))));
 local_5 = (_e3942 - vec3<f32>(f32(_e3958), f32(_e3974), f32(_e3990)));
 let _e4052 = local_4.member[1u];
 let _e4053 = ((_e4038 + _e4036) + _e4052);
@@ -1545,11 +1557,11 @@ let _e4274 = (((_e4161 + (((_e4212 + (((_e4252 + ((f32(bitcast<i32>(((_e4245 >> 
 let _e4276 = select(_e3398, _e4274, (_e4274 > _e3398));
 let _e4278 = select(1e9f, _e4276, (_e4276 < 1e9f));
 if _e685 {
-phi_7228_ = (_e4278 > _e3847);
+phi_7229_ = (_e4278 > _e3847);
 } else {
-phi_7228_ = (_e4278 < _e3847);
+phi_7229_ = (_e4278 < _e3847);
 }
-let _e4282 = phi_7228_;
+let _e4282 = phi_7229_;
 let _e4283 = (_e1114 && _e4282);
 let _e4284 = select(_e3847, _e4278, _e4283);
 let _e4288 = (_e1111.member + (_e2917 * (3f * 0.25f)));
@@ -1566,7 +1578,7 @@ let _e4320 = select(_e506, _e4318, (_e4318 < _e506));
 let _e4322 = select(_e516, _e4312, (_e4312 > _e516));
 let _e4324 = select(_e522, _e4322, (_e4322 < _e522));
 if _e2962 {
-phi_7442_ = vec3<f32>(_e4316, _e4320, _e4324);
+phi_7443_ = vec3<f32>(_e4316, _e4320, _e4324);
 } else {
 let _e4326 = (_e4316 + 0.5f);
 let _e4328 = select(0f, _e4326, (_e4326 > 0f));
@@ -1580,9 +1592,9 @@ let _e4360 = (_e4324 + 0.5f);
 let _e4362 = select(0f, _e4360, (_e4360 > 0f));
 let _e4364 = select(_e630, _e4362, (_e4362 < _e630));
 let _e4371 = select(0i, select(select(i32(_e4364), i32(-2147483648), (_e4364 < -2147483600f)), 2147483647i, (_e4364 > 2147483500f)), (_e4364 == _e4364));
-phi_7442_ = vec3<f32>(f32((_e4337 - select(0i, 1i, (_e4330 < f32(_e4337))))), f32((_e4354 - select(0i, 1i, (_e4347 < f32(_e4354))))), f32((_e4371 - select(0i, 1i, (_e4364 < f32(_e4371))))));
+phi_7443_ = vec3<f32>(f32((_e4337 - select(0i, 1i, (_e4330 < f32(_e4337))))), f32((_e4354 - select(0i, 1i, (_e4347 < f32(_e4354))))), f32((_e4371 - select(0i, 1i, (_e4364 < f32(_e4371))))));
 }
-let _e4379 = phi_7442_;
+let _e4379 = phi_7443_;
 let _e4382 = select(-1f, _e4379.x, (_e4379.x > -1f));
 let _e4384 = select(_e572, _e4382, (_e4382 < _e572));
 let _e4391 = select(0i, select(select(i32(_e4384), i32(-2147483648), (_e4384 < -2147483600f)), 2147483647i, (_e4384 > 2147483500f)), (_e4384 == _e4384));
@@ -1610,7 +1622,7 @@ let _e4473 = (select(0i, _e4411, (_e4411 > 0i)) * _e3069);
 let _e4474 = (select(_e3082, _e4430, (_e4430 < _e3082)) * _e3069);
 let _e4475 = (select(0i, _e4427, (_e4427 > 0i)) * _e3074);
 let _e4476 = (select(_e3095, _e4435, (_e4435 < _e3095)) * _e3074);
-local_2 = type_28(array<i32, 4>(_e4450, _e4452, _e4454, 0i), array<u32, 6>(bitcast<u32>(((_e4440 - _e4450) * 16i)), bitcast<u32>(((_e4442 - _e4450) * 16i)), bitcast<u32>(((_e4442 - _e4452) * 16i)), bitcast<u32>(((_e4445 - _e4452) * 16i)), bitcast<u32>(((_e4445 - _e4454) * 16i)), bitcast<u32>(((select(_e3108, _e4446, (_e4446 < _e3108)) - _e4454) * 16i))));
+local_2 = type_29(array<i32, 4>(_e4450, _e4452, _e4454, 0i), array<u32, 6>(bitcast<u32>(((_e4440 - _e4450) * 16i)), bitcast<u32>(((_e4442 - _e4450) * 16i)), bitcast<u32>(((_e4442 - _e4452) * 16i)), bitcast<u32>(((_e4445 - _e4452) * 16i)), bitcast<u32>(((_e4445 - _e4454) * 16i)), bitcast<u32>(((select(_e3108, _e4446, (_e4446 < _e3108)) - _e4454) * 16i))));
 local_3 = (_e4379 - vec3<f32>(f32(_e4395), f32(_e4411), f32(_e4427)));
 let _e4489 = local_2.member[1u];
 let _e4490 = ((_e4475 + _e4473) + _e4489);
@@ -1678,11 +1690,11 @@ let _e4711 = (((_e4598 + (((_e4649 + (((_e4689 + ((f32(bitcast<i32>(((_e4682 >> 
 let _e4713 = select(_e3398, _e4711, (_e4711 > _e3398));
 let _e4715 = select(1e9f, _e4713, (_e4713 < 1e9f));
 if _e685 {
-phi_7993_ = (_e4715 > _e4284);
+phi_7994_ = (_e4715 > _e4284);
 } else {
-phi_7993_ = (_e4715 < _e4284);
+phi_7994_ = (_e4715 < _e4284);
 }
-let _e4719 = phi_7993_;
+let _e4719 = phi_7994_;
 let _e4720 = (_e1114 && _e4719);
 let _e4721 = select(_e4284, _e4715, _e4720);
 let _e4724 = (_e1111.member + (_e2917 * 1f));
@@ -1699,7 +1711,7 @@ let _e4756 = select(_e506, _e4754, (_e4754 < _e506));
 let _e4758 = select(_e516, _e4748, (_e4748 > _e516));
 let _e4760 = select(_e522, _e4758, (_e4758 < _e522));
 if _e2962 {
-phi_8206_ = vec3<f32>(_e4752, _e4756, _e4760);
+phi_8207_ = vec3<f32>(_e4752, _e4756, _e4760);
 } else {
 let _e4762 = (_e4752 + 0.5f);
 let _e4764 = select(0f, _e4762, (_e4762 > 0f));
@@ -1713,9 +1725,9 @@ let _e4796 = (_e4760 + 0.5f);
 let _e4798 = select(0f, _e4796, (_e4796 > 0f));
 let _e4800 = select(_e630, _e4798, (_e4798 < _e630));
 let _e4807 = select(0i, select(select(i32(_e4800), i32(-2147483648), (_e4800 < -2147483600f)), 2147483647i, (_e4800 > 2147483500f)), (_e4800 == _e4800));
-phi_8206_ = vec3<f32>(f32((_e4773 - select(0i, 1i, (_e4766 < f32(_e4773))))), f32((_e4790 - select(0i, 1i, (_e4783 < f32(_e4790))))), f32((_e4807 - select(0i, 1i, (_e4800 < f32(_e4807))))));
+phi_8207_ = vec3<f32>(f32((_e4773 - select(0i, 1i, (_e4766 < f32(_e4773))))), f32((_e4790 - select(0i, 1i, (_e4783 < f32(_e4790))))), f32((_e4807 - select(0i, 1i, (_e4800 < f32(_e4807))))));
 }
-let _e4815 = phi_8206_;
+let _e4815 = phi_8207_;
 let _e4818 = select(-1f, _e4815.x, (_e4815.x > -1f));
 let _e4820 = select(_e572, _e4818, (_e4818 < _e572));
 let _e4827 = select(0i, select(select(i32(_e4820), i32(-2147483648), (_e4820 < -2147483600f)), 2147483647i, (_e4820 > 2147483500f)), (_e4820 == _e4820));
@@ -1743,7 +1755,7 @@ let _e4909 = (select(0i, _e4847, (_e4847 > 0i)) * _e3069);
 let _e4910 = (select(_e3082, _e4866, (_e4866 < _e3082)) * _e3069);
 let _e4911 = (select(0i, _e4863, (_e4863 > 0i)) * _e3074);
 let _e4912 = (select(_e3095, _e4871, (_e4871 < _e3095)) * _e3074);
-local = type_28(array<i32, 4>(_e4886, _e4888, _e4890, 0i), array<u32, 6>(bitcast<u32>(((_e4876 - _e4886) * 16i)), bitcast<u32>(((_e4878 - _e4886) * 16i)), bitcast<u32>(((_e4878 - _e4888) * 16i)), bitcast<u32>(((_e4881 - _e4888) * 16i)), bitcast<u32>(((_e4881 - _e4890) * 16i)), bitcast<u32>(((select(_e3108, _e4882, (_e4882 < _e3108)) - _e4890) * 16i))));
+local = type_29(array<i32, 4>(_e4886, _e4888, _e4890, 0i), array<u32, 6>(bitcast<u32>(((_e4876 - _e4886) * 16i)), bitcast<u32>(((_e4878 - _e4886) * 16i)), bitcast<u32>(((_e4878 - _e4888) * 16i)), bitcast<u32>(((_e4881 - _e4888) * 16i)), bitcast<u32>(((_e4881 - _e4890) * 16i)), bitcast<u32>(((select(_e3108, _e4882, (_e4882 < _e3108)) - _e4890) * 16i))));
 local_1 = (_e4815 - vec3<f32>(f32(_e4831), f32(_e4847), f32(_e4863)));
 let _e4925 = local.member[1u];
 let _e4926 = ((_e4911 + _e4909) + _e4925);
@@ -1811,43 +1823,43 @@ let _e5147 = (((_e5034 + (((_e5085 + (((_e5125 + ((f32(bitcast<i32>(((_e5118 >> 
 let _e5149 = select(_e3398, _e5147, (_e5147 > _e3398));
 let _e5151 = select(1e9f, _e5149, (_e5149 < 1e9f));
 if _e685 {
-phi_8757_ = (_e5151 > _e4721);
+phi_8758_ = (_e5151 > _e4721);
 } else {
-phi_8757_ = (_e5151 < _e4721);
+phi_8758_ = (_e5151 < _e4721);
 }
-let _e5155 = phi_8757_;
+let _e5155 = phi_8758_;
 let _e5156 = (_e1114 && _e5155);
-phi_8767_ = select(select(select(select(select(_e371[8], _e2925, _e3410), _e3420, _e3846), _e3857, _e4283), _e4294, _e4720), _e4730, _e5156);
-phi_8768_ = select(_e4721, _e5151, _e5156);
+phi_8768_ = select(select(select(select(select(_e371[8], _e2925, _e3410), _e3420, _e3846), _e3857, _e4283), _e4294, _e4720), _e4730, _e5156);
+phi_8769_ = select(_e4721, _e5151, _e5156);
 }
-let _e5160 = phi_8767_;
-let _e5162 = phi_8768_;
-phi_8786_ = array<f32, 23>(_e371[0], _e371[1], _e371[2], _e371[3], _e371[4], _e371[5], select(_e371[6], _e5162, _e1114), _e371[7], select(_e371[8], _e5160, _e1114), _e371[9], _e371[10], _e371[11], _e371[12], _e371[13], _e371[14], _e371[15], _e371[16], select(_e371[17], _e412, _e1114), _e371[18], _e371[19], _e371[20], _e371[21], _e371[22]);
+let _e5160 = phi_8768_;
+let _e5162 = phi_8769_;
+phi_8787_ = array<f32, 23>(_e371[0], _e371[1], _e371[2], _e371[3], _e371[4], _e371[5], select(_e371[6], _e5162, _e1114), _e371[7], select(_e371[8], _e5160, _e1114), _e371[9], _e371[10], _e371[11], _e371[12], _e371[13], _e371[14], _e371[15], _e371[16], select(_e371[17], _e412, _e1114), _e371[18], _e371[19], _e371[20], _e371[21], _e371[22]);
 } else {
-phi_8786_ = _e371;
+phi_8787_ = _e371;
 }
-let _e5168 = phi_8786_;
-phi_628_ = (_e367 + 1u);
-phi_631_ = select(_e369, true, _e743);
-phi_633_ = _e5168;
+let _e5168 = phi_8787_;
+phi_629_ = (_e367 + 1u);
+phi_632_ = select(_e369, true, _e743);
+phi_634_ = _e5168;
 } else {
-phi_628_ = u32();
-phi_631_ = bool();
-phi_633_ = array<f32, 23>();
+phi_629_ = u32();
+phi_632_ = bool();
+phi_634_ = array<f32, 23>();
 }
-let _e5172 = phi_628_;
-let _e5174 = phi_631_;
-let _e5176 = phi_633_;
+let _e5172 = phi_629_;
+let _e5174 = phi_632_;
+let _e5176 = phi_634_;
 continue;
 continuing {
-phi_627_ = _e5172;
-phi_630_ = _e5174;
-phi_632_ = _e5176;
-phi_8889_ = false;
+phi_628_ = _e5172;
+phi_631_ = _e5174;
+phi_633_ = _e5176;
+phi_8890_ = false;
 break if !(_e372);
 }
 }
-let _e5179 = phi_8889_;
+let _e5179 = phi_8890_;
 if _e5179 {
 break;
 }

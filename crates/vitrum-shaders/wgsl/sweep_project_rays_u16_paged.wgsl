@@ -121,6 +121,18 @@ member: type_8,
 member_1: u32,
 }
 struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+}
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -135,7 +147,7 @@ member_10: f32,
 member_11: f32,
 member_12: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_3,
@@ -156,83 +168,83 @@ member_16: type_19,
 member_17: type_19,
 member_18: type_19,
 member_19: type_19,
-member_20: type_7,
+member_20: type_20,
 member_21: f32,
 member_22: f32,
-member_23: type_20,
+member_23: type_21,
 }
-struct type_23 {
+struct type_24 {
 member: array<u32>,
 }
-struct type_25 {
+struct type_26 {
 member: array<f32>,
 }
-struct type_28 {
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: f32,
 }
-struct type_33 {
-member: array<type_21>,
+struct type_34 {
+member: array<type_22>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(0)
-var<storage> global_2: type_33;
+var<storage> global_2: type_34;
 @group(0) @binding(3)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
-var local: type_28;
+var local: type_29;
 var local_1: vec3<f32>;
-var local_2: type_28;
+var local_2: type_29;
 var local_3: vec3<f32>;
-var local_4: type_28;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_28;
+var local_6: type_29;
 var local_7: vec3<f32>;
-var local_8: type_28;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_28;
+var local_10: type_29;
 var local_11: vec3<f32>;
-var local_12: type_28;
+var local_12: type_29;
 var local_13: vec3<f32>;
-var local_14: type_28;
+var local_14: type_29;
 var local_15: vec3<f32>;
-var local_16: type_28;
+var local_16: type_29;
 var local_17: vec3<f32>;
-var phi_629_: u32;
-var phi_632_: bool;
-var phi_634_: array<f32, 23>;
-var phi_998_: bool;
-var phi_1894_: type_31;
-var phi_2115_: vec3<f32>;
-var phi_2787_: vec3<f32>;
-var phi_3459_: vec3<f32>;
-var phi_4131_: vec3<f32>;
-var phi_4631_: f32;
-var phi_4839_: vec3<f32>;
-var phi_5316_: bool;
-var phi_5529_: vec3<f32>;
-var phi_6003_: bool;
-var phi_6217_: vec3<f32>;
-var phi_6691_: bool;
-var phi_6905_: vec3<f32>;
-var phi_7379_: bool;
-var phi_7592_: vec3<f32>;
-var phi_8066_: bool;
-var phi_8076_: f32;
-var phi_8077_: f32;
-var phi_8095_: array<f32, 23>;
 var phi_630_: u32;
 var phi_633_: bool;
 var phi_635_: array<f32, 23>;
-var phi_8198_: bool;
+var phi_999_: bool;
+var phi_1895_: type_32;
+var phi_2116_: vec3<f32>;
+var phi_2788_: vec3<f32>;
+var phi_3460_: vec3<f32>;
+var phi_4132_: vec3<f32>;
+var phi_4632_: f32;
+var phi_4840_: vec3<f32>;
+var phi_5317_: bool;
+var phi_5530_: vec3<f32>;
+var phi_6004_: bool;
+var phi_6218_: vec3<f32>;
+var phi_6692_: bool;
+var phi_6906_: vec3<f32>;
+var phi_7380_: bool;
+var phi_7593_: vec3<f32>;
+var phi_8067_: bool;
+var phi_8077_: f32;
+var phi_8078_: f32;
+var phi_8096_: array<f32, 23>;
+var phi_631_: u32;
+var phi_634_: bool;
+var phi_636_: array<f32, 23>;
+var phi_8199_: bool;
 var local_18: bool;
 var local_19: array<f32, 23>;
 var local_20: array<f32, 23>;
@@ -366,13 +378,13 @@ let _e359 = ((22u * _e114) + _e116);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e119, _e360, (_e360 < _e119));
 let _e368 = global_4.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-phi_629_ = 0u;
-phi_632_ = false;
-phi_634_ = array<f32, 23>(_e127, _e137, _e148, _e159, _e170, _e181, _e192, _e203, _e214, _e225, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
+phi_630_ = 0u;
+phi_633_ = false;
+phi_635_ = array<f32, 23>(_e127, _e137, _e148, _e159, _e170, _e181, _e192, _e203, _e214, _e225, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
 loop {
-let _e371 = phi_629_;
-let _e373 = phi_632_;
-let _e375 = phi_634_;
+let _e371 = phi_630_;
+let _e373 = phi_633_;
+let _e375 = phi_635_;
 local_18 = _e373;
 local_19 = _e375;
 local_20 = _e375;
@@ -401,7 +413,7 @@ let _e376 = (_e371 < _e85);
 if _e376 {
 if _e376 {
 } else {
-phi_8198_ = true;
+phi_8199_ = true;
 break;
 }
 let _e380 = global_2.member[_e371].member;
@@ -476,11 +488,11 @@ let _e687 = bitcast<f32>(_e686);
 let _e688 = (_e375[17] == -1.2676506e30f);
 let _e689 = (_e380.member_2 == 0u);
 if _e689 {
-phi_998_ = (_e687 <= _e375[6]);
+phi_999_ = (_e687 <= _e375[6]);
 } else {
-phi_998_ = (_e687 >= _e375[6]);
+phi_999_ = (_e687 >= _e375[6]);
 }
-let _e693 = phi_998_;
+let _e693 = phi_999_;
 let _e695 = !(_e688);
 let _e702 = global_2.member[_e371].member_1;
 let _e710 = (_e488 + 0.5f);
@@ -559,7 +571,7 @@ let _e919 = select(1f, _e912, (_e914 && (_e897 <= 0f)));
 let _e921 = select(_e916, _e894, (_e894 > _e916));
 let _e923 = select(_e919, _e896, (_e896 < _e919));
 if _e740 {
-phi_1894_ = type_31(_e921, _e923);
+phi_1895_ = type_32(_e921, _e923);
 } else {
 let _e929 = global_2.member[_e371].member_16.member;
 let _e940 = ((((_e929.member.member * _e405) + (_e929.member.member_1 * _e407)) + (_e929.member.member_2 * _e395)) + _e929.member_1);
@@ -607,9 +619,9 @@ let _e1101 = select(1f, _e1099, (_e1099 < 1f));
 let _e1103 = (_e1087 > 0f);
 let _e1105 = select(0f, select(_e1101, 2f, _e1103), (_e1081 > 0f));
 let _e1108 = select(1f, _e1101, (_e1103 && (_e1081 <= 0f)));
-phi_1894_ = type_31(select(_e1105, _e1063, (_e1063 > _e1105)), select(_e1108, _e1065, (_e1065 < _e1108)));
+phi_1895_ = type_32(select(_e1105, _e1063, (_e1063 > _e1105)), select(_e1108, _e1065, (_e1065 < _e1108)));
 }
-let _e1115 = phi_1894_;
+let _e1115 = phi_1895_;
 let _e1118 = (_e1115.member_1 > _e1115.member);
 let _e1119 = (_e409 - _e405);
 let _e1120 = (_e411 - _e407);
@@ -632,7 +644,7 @@ let _e1162 = select(_e526, _e1160, (_e1160 < _e526));
 let _e1168 = global_2.member[_e371].member_8.member_15;
 let _e1169 = (_e1168 == 0u);
 if _e1169 {
-phi_2115_ = vec3<f32>(_e1154, _e1158, _e1162);
+phi_2116_ = vec3<f32>(_e1154, _e1158, _e1162);
 } else {
 let _e1170 = (_e1154 + 0.5f);
 let _e1172 = select(0f, _e1170, (_e1170 > 0f));
@@ -646,9 +658,9 @@ let _e1204 = (_e1162 + 0.5f);
 let _e1206 = select(0f, _e1204, (_e1204 > 0f));
 let _e1208 = select(_e634, _e1206, (_e1206 < _e634));
 let _e1215 = select(0i, select(select(i32(_e1208), i32(-2147483648), (_e1208 < -2147483600f)), 2147483647i, (_e1208 > 2147483500f)), (_e1208 == _e1208));
-phi_2115_ = vec3<f32>(f32((_e1181 - select(0i, 1i, (_e1174 < f32(_e1181))))), f32((_e1198 - select(0i, 1i, (_e1191 < f32(_e1198))))), f32((_e1215 - select(0i, 1i, (_e1208 < f32(_e1215))))));
+phi_2116_ = vec3<f32>(f32((_e1181 - select(0i, 1i, (_e1174 < f32(_e1181))))), f32((_e1198 - select(0i, 1i, (_e1191 < f32(_e1198))))), f32((_e1215 - select(0i, 1i, (_e1208 < f32(_e1215))))));
 }
-let _e1223 = phi_2115_;
+let _e1223 = phi_2116_;
 let _e1226 = select(-1f, _e1223.x, (_e1223.x > -1f));
 let _e1228 = select(_e576, _e1226, (_e1226 < _e576));
 let _e1235 = select(0i, select(select(i32(_e1228), i32(-2147483648), (_e1228 < -2147483600f)), 2147483647i, (_e1228 > 2147483500f)), (_e1228 == _e1228));
@@ -683,7 +695,7 @@ let _e1331 = (_e1323 + _e1330);
 let _e1332 = (_e1325 + _e1281);
 let _e1333 = (2i * _e1281);
 let _e1334 = (_e1325 + _e1333);
-local_16 = type_28(array<i32, 4>(_e1320, (_e1320 + 1i), (_e1320 + 2i), (_e1320 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_16 = type_29(array<i32, 4>(_e1320, (_e1320 + 1i), (_e1320 + 2i), (_e1320 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_17 = (_e1223 - vec3<f32>(f32(_e1239), f32(_e1255), f32(_e1271)));
 let _e1346 = local_16.member[1u];
 let _e1347 = ((_e1332 + _e1329) + _e1346);
@@ -766,7 +778,7 @@ let _e1618 = select(_e510, _e1616, (_e1616 < _e510));
 let _e1620 = select(_e520, _e1610, (_e1610 > _e520));
 let _e1622 = select(_e526, _e1620, (_e1620 < _e526));
 if _e1169 {
-phi_2787_ = vec3<f32>(_e1614, _e1618, _e1622);
+phi_2788_ = vec3<f32>(_e1614, _e1618, _e1622);
 } else {
 let _e1624 = (_e1614 + 0.5f);
 let _e1626 = select(0f, _e1624, (_e1624 > 0f));
@@ -780,9 +792,9 @@ let _e1658 = (_e1622 + 0.5f);
 let _e1660 = select(0f, _e1658, (_e1658 > 0f));
 let _e1662 = select(_e634, _e1660, (_e1660 < _e634));
 let _e1669 = select(0i, select(select(i32(_e1662), i32(-2147483648), (_e1662 < -2147483600f)), 2147483647i, (_e1662 > 2147483500f)), (_e1662 == _e1662));
-phi_2787_ = vec3<f32>(f32((_e1635 - select(0i, 1i, (_e1628 < f32(_e1635))))), f32((_e1652 - select(0i, 1i, (_e1645 < f32(_e1652))))), f32((_e1669 - select(0i, 1i, (_e1662 < f32(_e1669))))));
+phi_2788_ = vec3<f32>(f32((_e1635 - select(0i, 1i, (_e1628 < f32(_e1635))))), f32((_e1652 - select(0i, 1i, (_e1645 < f32(_e1652))))), f32((_e1669 - select(0i, 1i, (_e1662 < f32(_e1669))))));
 }
-let _e1677 = phi_2787_;
+let _e1677 = phi_2788_;
 let _e1680 = select(-1f, _e1677.x, (_e1677.x > -1f));
 let _e1682 = select(_e576, _e1680, (_e1680 < _e576));
 let _e1689 = select(0i, select(select(i32(_e1682), i32(-2147483648), (_e1682 < -2147483600f)), 2147483647i, (_e1682 > 2147483500f)), (_e1682 == _e1682));
@@ -808,7 +820,7 @@ let _e1757 = (_e1751 + _e1276);
 let _e1758 = (_e1751 + _e1330);
 let _e1759 = (_e1753 + _e1281);
 let _e1760 = (_e1753 + _e1333);
-local_14 = type_28(array<i32, 4>(_e1748, (_e1748 + 1i), (_e1748 + 2i), (_e1748 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_14 = type_29(array<i32, 4>(_e1748, (_e1748 + 1i), (_e1748 + 2i), (_e1748 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_15 = (_e1677 - vec3<f32>(f32(_e1693), f32(_e1709), f32(_e1725)));
 let _e1772 = local_14.member[1u];
 let _e1773 = ((_e1759 + _e1757) + _e1772);
@@ -888,7 +900,7 @@ let _e2033 = select(_e510, _e2031, (_e2031 < _e510));
 let _e2035 = select(_e520, _e2025, (_e2025 > _e520));
 let _e2037 = select(_e526, _e2035, (_e2035 < _e526));
 if _e1169 {
-phi_3459_ = vec3<f32>(_e2029, _e2033, _e2037);
+phi_3460_ = vec3<f32>(_e2029, _e2033, _e2037);
 } else {
 let _e2039 = (_e2029 + 0.5f);
 let _e2041 = select(0f, _e2039, (_e2039 > 0f));
@@ -902,9 +914,9 @@ let _e2073 = (_e2037 + 0.5f);
 let _e2075 = select(0f, _e2073, (_e2073 > 0f));
 let _e2077 = select(_e634, _e2075, (_e2075 < _e634));
 let _e2084 = select(0i, select(select(i32(_e2077), i32(-2147483648), (_e2077 < -2147483600f)), 2147483647i, (_e2077 > 2147483500f)), (_e2077 == _e2077));
-phi_3459_ = vec3<f32>(f32((_e2050 - select(0i, 1i, (_e2043 < f32(_e2050))))), f32((_e2067 - select(0i, 1i, (_e2060 < f32(_e2067))))), f32((_e2084 - select(0i, 1i, (_e2077 < f32(_e2084))))));
+phi_3460_ = vec3<f32>(f32((_e2050 - select(0i, 1i, (_e2043 < f32(_e2050))))), f32((_e2067 - select(0i, 1i, (_e2060 < f32(_e2067))))), f32((_e2084 - select(0i, 1i, (_e2077 < f32(_e2084))))));
 }
-let _e2092 = phi_3459_;
+let _e2092 = phi_3460_;
 let _e2095 = select(-1f, _e2092.x, (_e2092.x > -1f));
 let _e2097 = select(_e576, _e2095, (_e2095 < _e576));
 let _e2104 = select(0i, select(select(i32(_e2097), i32(-2147483648), (_e2097 < -2147483600f)), 2147483647i, (_e2097 > 2147483500f)), (_e2097 == _e2097));
@@ -930,7 +942,7 @@ let _e2172 = (_e2166 + _e1276);
 let _e2173 = (_e2166 + _e1330);
 let _e2174 = (_e2168 + _e1281);
 let _e2175 = (_e2168 + _e1333);
-local_12 = type_28(array<i32, 4>(_e2163, (_e2163 + 1i), (_e2163 + 2i), (_e2163 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_12 = type_29(array<i32, 4>(_e2163, (_e2163 + 1i), (_e2163 + 2i), (_e2163 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_13 = (_e2092 - vec3<f32>(f32(_e2108), f32(_e2124), f32(_e2140)));
 let _e2187 = local_12.member[1u];
 let _e2188 = ((_e2174 + _e2172) + _e2187);
@@ -1010,7 +1022,7 @@ let _e2448 = select(_e510, _e2446, (_e2446 < _e510));
 let _e2450 = select(_e520, _e2440, (_e2440 > _e520));
 let _e2452 = select(_e526, _e2450, (_e2450 < _e526));
 if _e1169 {
-phi_4131_ = vec3<f32>(_e2444, _e2448, _e2452);
+phi_4132_ = vec3<f32>(_e2444, _e2448, _e2452);
 } else {
 let _e2454 = (_e2444 + 0.5f);
 let _e2456 = select(0f, _e2454, (_e2454 > 0f));
@@ -1024,9 +1036,9 @@ let _e2488 = (_e2452 + 0.5f);
 let _e2490 = select(0f, _e2488, (_e2488 > 0f));
 let _e2492 = select(_e634, _e2490, (_e2490 < _e634));
 let _e2499 = select(0i, select(select(i32(_e2492), i32(-2147483648), (_e2492 < -2147483600f)), 2147483647i, (_e2492 > 2147483500f)), (_e2492 == _e2492));
-phi_4131_ = vec3<f32>(f32((_e2465 - select(0i, 1i, (_e2458 < f32(_e2465))))), f32((_e2482 - select(0i, 1i, (_e2475 < f32(_e2482))))), f32((_e2499 - select(0i, 1i, (_e2492 < f32(_e2499))))));
+phi_4132_ = vec3<f32>(f32((_e2465 - select(0i, 1i, (_e2458 < f32(_e2465))))), f32((_e2482 - select(0i, 1i, (_e2475 < f32(_e2482))))), f32((_e2499 - select(0i, 1i, (_e2492 < f32(_e2499))))));
 }
-let _e2507 = phi_4131_;
+let _e2507 = phi_4132_;
 let _e2510 = select(-1f, _e2507.x, (_e2507.x > -1f));
 let _e2512 = select(_e576, _e2510, (_e2510 < _e576));
 let _e2519 = select(0i, select(select(i32(_e2512), i32(-2147483648), (_e2512 < -2147483600f)), 2147483647i, (_e2512 > 2147483500f)), (_e2512 == _e2512));
@@ -1052,7 +1064,7 @@ let _e2587 = (_e2581 + _e1276);
 let _e2588 = (_e2581 + _e1330);
 let _e2589 = (_e2583 + _e1281);
 let _e2590 = (_e2583 + _e1333);
-local_10 = type_28(array<i32, 4>(_e2578, (_e2578 + 1i), (_e2578 + 2i), (_e2578 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_29(array<i32, 4>(_e2578, (_e2578 + 1i), (_e2578 + 2i), (_e2578 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = (_e2507 - vec3<f32>(f32(_e2523), f32(_e2539), f32(_e2555)));
 let _e2602 = local_10.member[1u];
 let _e2603 = ((_e2589 + _e2587) + _e2602);
@@ -1120,15 +1132,15 @@ let _e2824 = (((_e2711 + (((_e2762 + (((_e2802 + ((f32(bitcast<i32>(((_e2795 >> 
 let _e2826 = select(_e1579, _e2824, (_e2824 > _e1579));
 let _e2833 = (((_e1119 * _e1119) + (_e1120 * _e1120)) + (_e1121 * _e1121));
 let _e2838 = select(0f, (sqrt(select(0f, _e2833, (_e2833 > 0f))) * _e1124), _e1118);
-phi_8076_ = (_e375[8] + _e2838);
-phi_8077_ = (_e375[6] + ((((select(1e9f, _e1581, (_e1581 < 1e9f)) + select(1e9f, _e1996, (_e1996 < 1e9f))) + (select(1e9f, _e2411, (_e2411 < 1e9f)) + select(1e9f, _e2826, (_e2826 < 1e9f)))) * 0.25f) * _e2838));
+phi_8077_ = (_e375[8] + _e2838);
+phi_8078_ = (_e375[6] + ((((select(1e9f, _e1581, (_e1581 < 1e9f)) + select(1e9f, _e1996, (_e1996 < 1e9f))) + (select(1e9f, _e2411, (_e2411 < 1e9f)) + select(1e9f, _e2826, (_e2826 < 1e9f)))) * 0.25f) * _e2838));
 } else {
 if _e689 {
-phi_4631_ = -(2e9f);
+phi_4632_ = -(2e9f);
 } else {
-phi_4631_ = 2e9f;
+phi_4632_ = 2e9f;
 }
-let _e2848 = phi_4631_;
+let _e2848 = phi_4632_;
 let _e2849 = select(_e375[6], _e2848, _e688);
 let _e2850 = (_e1115.member_1 - _e1115.member);
 let _e2852 = (_e1115.member + (_e2850 * 0f));
@@ -1147,7 +1159,7 @@ let _e2888 = select(_e526, _e2886, (_e2886 < _e526));
 let _e2894 = global_2.member[_e371].member_8.member_15;
 let _e2895 = (_e2894 == 0u);
 if _e2895 {
-phi_4839_ = vec3<f32>(_e2880, _e2884, _e2888);
+phi_4840_ = vec3<f32>(_e2880, _e2884, _e2888);
 } else {
 let _e2896 = (_e2880 + 0.5f);
 let _e2898 = select(0f, _e2896, (_e2896 > 0f));
@@ -1161,9 +1173,9 @@ let _e2930 = (_e2888 + 0.5f);
 let _e2932 = select(0f, _e2930, (_e2930 > 0f));
 let _e2934 = select(_e634, _e2932, (_e2932 < _e634));
 let _e2941 = select(0i, select(select(i32(_e2934), i32(-2147483648), (_e2934 < -2147483600f)), 2147483647i, (_e2934 > 2147483500f)), (_e2934 == _e2934));
-phi_4839_ = vec3<f32>(f32((_e2907 - select(0i, 1i, (_e2900 < f32(_e2907))))), f32((_e2924 - select(0i, 1i, (_e2917 < f32(_e2924))))), f32((_e2941 - select(0i, 1i, (_e2934 < f32(_e2941))))));
+phi_4840_ = vec3<f32>(f32((_e2907 - select(0i, 1i, (_e2900 < f32(_e2907))))), f32((_e2924 - select(0i, 1i, (_e2917 < f32(_e2924))))), f32((_e2941 - select(0i, 1i, (_e2934 < f32(_e2941))))));
 }
-let _e2949 = phi_4839_;
+let _e2949 = phi_4840_;
 let _e2952 = select(-1f, _e2949.x, (_e2949.x > -1f));
 let _e2954 = select(_e576, _e2952, (_e2952 < _e576));
 let _e2961 = select(0i, select(select(i32(_e2954), i32(-2147483648), (_e2954 < -2147483600f)), 2147483647i, (_e2954 > 2147483500f)), (_e2954 == _e2954));
@@ -1198,7 +1210,7 @@ let _e3057 = (_e3049 + _e3056);
 let _e3058 = (_e3051 + _e3007);
 let _e3059 = (2i * _e3007);
 let _e3060 = (_e3051 + _e3059);
-local_8 = type_28(array<i32, 4>(_e3046, (_e3046 + 1i), (_e3046 + 2i), (_e3046 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_29(array<i32, 4>(_e3046, (_e3046 + 1i), (_e3046 + 2i), (_e3046 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = (_e2949 - vec3<f32>(f32(_e2965), f32(_e2981), f32(_e2997)));
 let _e3072 = local_8.member[1u];
 let _e3073 = ((_e3058 + _e3055) + _e3072);
@@ -1269,11 +1281,11 @@ let _e3305 = -(1e9f);
 let _e3307 = select(_e3305, _e3304, (_e3304 > _e3305));
 let _e3309 = select(1e9f, _e3307, (_e3307 < 1e9f));
 if _e689 {
-phi_5316_ = (_e3309 > _e2849);
+phi_5317_ = (_e3309 > _e2849);
 } else {
-phi_5316_ = (_e3309 < _e2849);
+phi_5317_ = (_e3309 < _e2849);
 }
-let _e3316 = phi_5316_;
+let _e3316 = phi_5317_;
 let _e3317 = ((_e1118 && (_e688 || (_e1115.member > 0f))) && _e3316);
 let _e3318 = select(_e2849, _e3309, _e3317);
 let _e3321 = (_e1115.member + (_e2850 * 0.25f));
@@ -1290,7 +1302,7 @@ let _e3353 = select(_e510, _e3351, (_e3351 < _e510));
 let _e3355 = select(_e520, _e3345, (_e3345 > _e520));
 let _e3357 = select(_e526, _e3355, (_e3355 < _e526));
 if _e2895 {
-phi_5529_ = vec3<f32>(_e3349, _e3353, _e3357);
+phi_5530_ = vec3<f32>(_e3349, _e3353, _e3357);
 } else {
 let _e3359 = (_e3349 + 0.5f);
 let _e3361 = select(0f, _e3359, (_e3359 > 0f));
@@ -1304,9 +1316,9 @@ let _e3393 = (_e3357 + 0.5f);
 let _e3395 = select(0f, _e3393, (_e3393 > 0f));
 let _e3397 = select(_e634, _e3395, (_e3395 < _e634));
 let _e3404 = select(0i, select(select(i32(_e3397), i32(-2147483648), (_e3397 < -2147483600f)), 2147483647i, (_e3397 > 2147483500f)), (_e3397 == _e3397));
-phi_5529_ = vec3<f32>(f32((_e3370 - select(0i, 1i, (_e3363 < f32(_e3370))))), f32((_e3387 - select(0i, 1i, (_e3380 < f32(_e3387))))), f32((_e3404 - select(0i, 1i, (_e3397 < f32(_e3404))))));
+phi_5530_ = vec3<f32>(f32((_e3370 - select(0i, 1i, (_e3363 < f32(_e3370))))), f32((_e3387 - select(0i, 1i, (_e3380 < f32(_e3387))))), f32((_e3404 - select(0i, 1i, (_e3397 < f32(_e3404))))));
 }
-let _e3412 = phi_5529_;
+let _e3412 = phi_5530_;
 let _e3415 = select(-1f, _e3412.x, (_e3412.x > -1f));
 let _e3417 = select(_e576, _e3415, (_e3415 < _e576));
 let _e3424 = select(0i, select(select(i32(_e3417), i32(-2147483648), (_e3417 < -2147483600f)), 2147483647i, (_e3417 > 2147483500f)), (_e3417 == _e3417));
@@ -1332,7 +1344,7 @@ let _e3492 = (_e3486 + _e3002);
 let _e3493 = (_e3486 + _e3056);
 let _e3494 = (_e3488 + _e3007);
 let _e3495 = (_e3488 + _e3059);
-local_6 = type_28(array<i32, 4>(_e3483, (_e3483 + 1i), (_e3483 + 2i), (_e3483 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_29(array<i32, 4>(_e3483, (_e3483 + 1i), (_e3483 + 2i), (_e3483 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = (_e3412 - vec3<f32>(f32(_e3428), f32(_e3444), f32(_e3460)));
 let _e3507 = local_6.member[1u];
 let _e3508 = ((_e3494 + _e3492) + _e3507);
@@ -1400,11 +1412,11 @@ let _e3729 = (((_e3616 + (((_e3667 + (((_e3707 + ((f32(bitcast<i32>(((_e3700 >> 
 let _e3731 = select(_e3305, _e3729, (_e3729 > _e3305));
 let _e3733 = select(1e9f, _e3731, (_e3731 < 1e9f));
 if _e689 {
-phi_6003_ = (_e3733 > _e3318);
+phi_6004_ = (_e3733 > _e3318);
 } else {
-phi_6003_ = (_e3733 < _e3318);
+phi_6004_ = (_e3733 < _e3318);
 }
-let _e3737 = phi_6003_;
+let _e3737 = phi_6004_;
 let _e3738 = (_e1118 && _e3737);
 let _e3739 = select(_e3318, _e3733, _e3738);
 let _e3743 = (_e1115.member + (_e2850 * (2f * 0.25f)));
@@ -1421,7 +1433,7 @@ let _e3775 = select(_e510, _e3773, (_e3773 < _e510));
 let _e3777 = select(_e520, _e3767, (_e3767 > _e520));
 let _e3779 = select(_e526, _e3777, (_e3777 < _e526));
 if _e2895 {
-phi_6217_ = vec3<f32>(_e3771, _e3775, _e3779);
+phi_6218_ = vec3<f32>(_e3771, _e3775, _e3779);
 } else {
 let _e3781 = (_e3771 + 0.5f);
 let _e3783 = select(0f, _e3781, (_e3781 > 0f));
@@ -1435,9 +1447,9 @@ let _e3815 = (_e3779 + 0.5f);
 let _e3817 = select(0f, _e3815, (_e3815 > 0f));
 let _e3819 = select(_e634, _e3817, (_e3817 < _e634));
 let _e3826 = select(0i, select(select(i32(_e3819), i32(-2147483648), (_e3819 < -2147483600f)), 2147483647i, (_e3819 > 2147483500f)), (_e3819 == _e3819));
-phi_6217_ = vec3<f32>(f32((_e3792 - select(0i, 1i, (_e3785 < f32(_e3792))))), f32((_e3809 - select(0i, 1i, (_e3802 < f32(_e3809))))), f32((_e3826 - select(0i, 1i, (_e3819 < f32(_e3826))))));
+phi_6218_ = vec3<f32>(f32((_e3792 - select(0i, 1i, (_e3785 < f32(_e3792))))), f32((_e3809 - select(0i, 1i, (_e3802 < f32(_e3809))))), f32((_e3826 - select(0i, 1i, (_e3819 < f32(_e3826))))));
 }
-let _e3834 = phi_6217_;
+let _e3834 = phi_6218_;
 let _e3837 = select(-1f, _e3834.x, (_e3834.x > -1f));
 let _e3839 = select(_e576, _e3837, (_e3837 < _e576));
 let _e3846 = select(0i, select(select(i32(_e3839), i32(-2147483648), (_e3839 < -2147483600f)), 2147483647i, (_e3839 > 2147483500f)), (_e3839 == _e3839));
@@ -1463,7 +1475,7 @@ let _e3914 = (_e3908 + _e3002);
 let _e3915 = (_e3908 + _e3056);
 let _e3916 = (_e3910 + _e3007);
 let _e3917 = (_e3910 + _e3059);
-local_4 = type_28(array<i32, 4>(_e3905, (_e3905 + 1i), (_e3905 + 2i), (_e3905 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_29(array<i32, 4>(_e3905, (_e3905 + 1i), (_e3905 + 2i), (_e3905 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = (_e3834 - vec3<f32>(f32(_e3850), f32(_e3866), f32(_e3882)));
 let _e3929 = local_4.member[1u];
 let _e3930 = ((_e3916 + _e3914) + _e3929);
@@ -1531,11 +1543,11 @@ let _e4151 = (((_e4038 + (((_e4089 + (((_e4129 + ((f32(bitcast<i32>(((_e4122 >> 
 let _e4153 = select(_e3305, _e4151, (_e4151 > _e3305));
 let _e4155 = select(1e9f, _e4153, (_e4153 < 1e9f));
 if _e689 {
-phi_6691_ = (_e4155 > _e3739);
+phi_6692_ = (_e4155 > _e3739);
 } else {
-phi_6691_ = (_e4155 < _e3739);
+phi_6692_ = (_e4155 < _e3739);
 }
-let _e4159 = phi_6691_;
+let _e4159 = phi_6692_;
 let _e4160 = (_e1118 && _e4159);
 let _e4161 = select(_e3739, _e4155, _e4160);
 let _e4165 = (_e1115.member + (_e2850 * (3f * 0.25f)));
@@ -1552,7 +1564,7 @@ let _e4197 = select(_e510, _e4195, (_e4195 < _e510));
 let _e4199 = select(_e520, _e4189, (_e4189 > _e520));
 let _e4201 = select(_e526, _e4199, (_e4199 < _e526));
 if _e2895 {
-phi_6905_ = vec3<f32>(_e4193, _e4197, _e4201);
+phi_6906_ = vec3<f32>(_e4193, _e4197, _e4201);
 } else {
 let _e4203 = (_e4193 + 0.5f);
 let _e4205 = select(0f, _e4203, (_e4203 > 0f));
@@ -1566,9 +1578,9 @@ let _e4237 = (_e4201 + 0.5f);
 let _e4239 = select(0f, _e4237, (_e4237 > 0f));
 let _e4241 = select(_e634, _e4239, (_e4239 < _e634));
 let _e4248 = select(0i, select(select(i32(_e4241), i32(-2147483648), (_e4241 < -2147483600f)), 2147483647i, (_e4241 > 2147483500f)), (_e4241 == _e4241));
-phi_6905_ = vec3<f32>(f32((_e4214 - select(0i, 1i, (_e4207 < f32(_e4214))))), f32((_e4231 - select(0i, 1i, (_e4224 < f32(_e4231))))), f32((_e4248 - select(0i, 1i, (_e4241 < f32(_e4248))))));
+phi_6906_ = vec3<f32>(f32((_e4214 - select(0i, 1i, (_e4207 < f32(_e4214))))), f32((_e4231 - select(0i, 1i, (_e4224 < f32(_e4231))))), f32((_e4248 - select(0i, 1i, (_e4241 < f32(_e4248))))));
 }
-let _e4256 = phi_6905_;
+let _e4256 = phi_6906_;
 let _e4259 = select(-1f, _e4256.x, (_e4256.x > -1f));
 let _e4261 = select(_e576, _e4259, (_e4259 < _e576));
 let _e4268 = select(0i, select(select(i32(_e4261), i32(-2147483648), (_e4261 < -2147483600f)), 2147483647i, (_e4261 > 2147483500f)), (_e4261 == _e4261));
@@ -1594,7 +1606,7 @@ let _e4336 = (_e4330 + _e3002);
 let _e4337 = (_e4330 + _e3056);
 let _e4338 = (_e4332 + _e3007);
 let _e4339 = (_e4332 + _e3059);
-local_2 = type_28(array<i32, 4>(_e4327, (_e4327 + 1i), (_e4327 + 2i), (_e4327 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_29(array<i32, 4>(_e4327, (_e4327 + 1i), (_e4327 + 2i), (_e4327 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = (_e4256 - vec3<f32>(f32(_e4272), f32(_e4288), f32(_e4304)));
 let _e4351 = local_2.member[1u];
 let _e4352 = ((_e4338 + _e4336) + _e4351);
@@ -1662,11 +1674,11 @@ let _e4573 = (((_e4460 + (((_e4511 + (((_e4551 + ((f32(bitcast<i32>(((_e4544 >> 
 let _e4575 = select(_e3305, _e4573, (_e4573 > _e3305));
 let _e4577 = select(1e9f, _e4575, (_e4575 < 1e9f));
 if _e689 {
-phi_7379_ = (_e4577 > _e4161);
+phi_7380_ = (_e4577 > _e4161);
 } else {
-phi_7379_ = (_e4577 < _e4161);
+phi_7380_ = (_e4577 < _e4161);
 }
-let _e4581 = phi_7379_;
+let _e4581 = phi_7380_;
 let _e4582 = (_e1118 && _e4581);
 let _e4583 = select(_e4161, _e4577, _e4582);
 let _e4586 = (_e1115.member + (_e2850 * 1f));
@@ -1683,7 +1695,7 @@ let _e4618 = select(_e510, _e4616, (_e4616 < _e510));
 let _e4620 = select(_e520, _e4610, (_e4610 > _e520));
 let _e4622 = select(_e526, _e4620, (_e4620 < _e526));
 if _e2895 {
-phi_7592_ = vec3<f32>(_e4614, _e4618, _e4622);
+phi_7593_ = vec3<f32>(_e4614, _e4618, _e4622);
 } else {
 let _e4624 = (_e4614 + 0.5f);
 let _e4626 = select(0f, _e4624, (_e4624 > 0f));
@@ -1697,9 +1709,9 @@ let _e4658 = (_e4622 + 0.5f);
 let _e4660 = select(0f, _e4658, (_e4658 > 0f));
 let _e4662 = select(_e634, _e4660, (_e4660 < _e634));
 let _e4669 = select(0i, select(select(i32(_e4662), i32(-2147483648), (_e4662 < -2147483600f)), 2147483647i, (_e4662 > 2147483500f)), (_e4662 == _e4662));
-phi_7592_ = vec3<f32>(f32((_e4635 - select(0i, 1i, (_e4628 < f32(_e4635))))), f32((_e4652 - select(0i, 1i, (_e4645 < f32(_e4652))))), f32((_e4669 - select(0i, 1i, (_e4662 < f32(_e4669))))));
+phi_7593_ = vec3<f32>(f32((_e4635 - select(0i, 1i, (_e4628 < f32(_e4635))))), f32((_e4652 - select(0i, 1i, (_e4645 < f32(_e4652))))), f32((_e4669 - select(0i, 1i, (_e4662 < f32(_e4669))))));
 }
-let _e4677 = phi_7592_;
+let _e4677 = phi_7593_;
 let _e4680 = select(-1f, _e4677.x, (_e4677.x > -1f));
 let _e4682 = select(_e576, _e4680, (_e4680 < _e576));
 let _e4689 = select(0i, select(select(i32(_e4682), i32(-2147483648), (_e4682 < -2147483600f)), 2147483647i, (_e4682 > 2147483500f)), (_e4682 == _e4682));
@@ -1725,7 +1737,7 @@ let _e4757 = (_e4751 + _e3002);
 let _e4758 = (_e4751 + _e3056);
 let _e4759 = (_e4753 + _e3007);
 let _e4760 = (_e4753 + _e3059);
-local = type_28(array<i32, 4>(_e4748, (_e4748 + 1i), (_e4748 + 2i), (_e4748 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local = type_29(array<i32, 4>(_e4748, (_e4748 + 1i), (_e4748 + 2i), (_e4748 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_1 = (_e4677 - vec3<f32>(f32(_e4693), f32(_e4709), f32(_e4725)));
 let _e4772 = local.member[1u];
 let _e4773 = ((_e4759 + _e4757) + _e4772);
@@ -1793,43 +1805,43 @@ let _e4994 = (((_e4881 + (((_e4932 + (((_e4972 + ((f32(bitcast<i32>(((_e4965 >> 
 let _e4996 = select(_e3305, _e4994, (_e4994 > _e3305));
 let _e4998 = select(1e9f, _e4996, (_e4996 < 1e9f));
 if _e689 {
-phi_8066_ = (_e4998 > _e4583);
+phi_8067_ = (_e4998 > _e4583);
 } else {
-phi_8066_ = (_e4998 < _e4583);
+phi_8067_ = (_e4998 < _e4583);
 }
-let _e5002 = phi_8066_;
+let _e5002 = phi_8067_;
 let _e5003 = (_e1118 && _e5002);
-phi_8076_ = select(select(select(select(select(_e375[8], _e2858, _e3317), _e3327, _e3738), _e3749, _e4160), _e4171, _e4582), _e4592, _e5003);
-phi_8077_ = select(_e4583, _e4998, _e5003);
+phi_8077_ = select(select(select(select(select(_e375[8], _e2858, _e3317), _e3327, _e3738), _e3749, _e4160), _e4171, _e4582), _e4592, _e5003);
+phi_8078_ = select(_e4583, _e4998, _e5003);
 }
-let _e5007 = phi_8076_;
-let _e5009 = phi_8077_;
-phi_8095_ = array<f32, 23>(_e375[0], _e375[1], _e375[2], _e375[3], _e375[4], _e375[5], select(_e375[6], _e5009, _e1118), _e375[7], select(_e375[8], _e5007, _e1118), _e375[9], _e375[10], _e375[11], _e375[12], _e375[13], _e375[14], _e375[15], _e375[16], select(_e375[17], _e416, _e1118), _e375[18], _e375[19], _e375[20], _e375[21], _e375[22]);
+let _e5007 = phi_8077_;
+let _e5009 = phi_8078_;
+phi_8096_ = array<f32, 23>(_e375[0], _e375[1], _e375[2], _e375[3], _e375[4], _e375[5], select(_e375[6], _e5009, _e1118), _e375[7], select(_e375[8], _e5007, _e1118), _e375[9], _e375[10], _e375[11], _e375[12], _e375[13], _e375[14], _e375[15], _e375[16], select(_e375[17], _e416, _e1118), _e375[18], _e375[19], _e375[20], _e375[21], _e375[22]);
 } else {
-phi_8095_ = _e375;
+phi_8096_ = _e375;
 }
-let _e5015 = phi_8095_;
-phi_630_ = (_e371 + 1u);
-phi_633_ = select(_e373, true, _e747);
-phi_635_ = _e5015;
+let _e5015 = phi_8096_;
+phi_631_ = (_e371 + 1u);
+phi_634_ = select(_e373, true, _e747);
+phi_636_ = _e5015;
 } else {
-phi_630_ = u32();
-phi_633_ = bool();
-phi_635_ = array<f32, 23>();
+phi_631_ = u32();
+phi_634_ = bool();
+phi_636_ = array<f32, 23>();
 }
-let _e5019 = phi_630_;
-let _e5021 = phi_633_;
-let _e5023 = phi_635_;
+let _e5019 = phi_631_;
+let _e5021 = phi_634_;
+let _e5023 = phi_636_;
 continue;
 continuing {
-phi_629_ = _e5019;
-phi_632_ = _e5021;
-phi_634_ = _e5023;
-phi_8198_ = false;
+phi_630_ = _e5019;
+phi_633_ = _e5021;
+phi_635_ = _e5023;
+phi_8199_ = false;
 break if !(_e376);
 }
 }
-let _e5026 = phi_8198_;
+let _e5026 = phi_8199_;
 if _e5026 {
 break;
 }

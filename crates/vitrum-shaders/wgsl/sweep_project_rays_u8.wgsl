@@ -121,6 +121,18 @@ member: type_8,
 member_1: u32,
 }
 struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+}
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -135,7 +147,7 @@ member_10: f32,
 member_11: f32,
 member_12: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_3,
@@ -156,83 +168,83 @@ member_16: type_19,
 member_17: type_19,
 member_18: type_19,
 member_19: type_19,
-member_20: type_7,
+member_20: type_20,
 member_21: f32,
 member_22: f32,
-member_23: type_20,
+member_23: type_21,
 }
-struct type_23 {
+struct type_24 {
 member: array<u32>,
 }
-struct type_25 {
+struct type_26 {
 member: array<f32>,
 }
-struct type_28 {
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: f32,
 }
-struct type_33 {
-member: array<type_21>,
+struct type_34 {
+member: array<type_22>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(0)
-var<storage> global_2: type_33;
+var<storage> global_2: type_34;
 @group(0) @binding(3)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
-var local: type_28;
+var local: type_29;
 var local_1: vec3<f32>;
-var local_2: type_28;
+var local_2: type_29;
 var local_3: vec3<f32>;
-var local_4: type_28;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_28;
+var local_6: type_29;
 var local_7: vec3<f32>;
-var local_8: type_28;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_28;
+var local_10: type_29;
 var local_11: vec3<f32>;
-var local_12: type_28;
+var local_12: type_29;
 var local_13: vec3<f32>;
-var local_14: type_28;
+var local_14: type_29;
 var local_15: vec3<f32>;
-var local_16: type_28;
+var local_16: type_29;
 var local_17: vec3<f32>;
-var phi_629_: u32;
-var phi_632_: bool;
-var phi_634_: array<f32, 23>;
-var phi_998_: bool;
-var phi_1894_: type_31;
-var phi_2115_: vec3<f32>;
-var phi_2848_: vec3<f32>;
-var phi_3581_: vec3<f32>;
-var phi_4314_: vec3<f32>;
-var phi_4875_: f32;
-var phi_5083_: vec3<f32>;
-var phi_5621_: bool;
-var phi_5834_: vec3<f32>;
-var phi_6369_: bool;
-var phi_6583_: vec3<f32>;
-var phi_7118_: bool;
-var phi_7332_: vec3<f32>;
-var phi_7867_: bool;
-var phi_8080_: vec3<f32>;
-var phi_8615_: bool;
-var phi_8625_: f32;
-var phi_8626_: f32;
-var phi_8644_: array<f32, 23>;
 var phi_630_: u32;
 var phi_633_: bool;
 var phi_635_: array<f32, 23>;
-var phi_8747_: bool;
+var phi_999_: bool;
+var phi_1895_: type_32;
+var phi_2116_: vec3<f32>;
+var phi_2849_: vec3<f32>;
+var phi_3582_: vec3<f32>;
+var phi_4315_: vec3<f32>;
+var phi_4876_: f32;
+var phi_5084_: vec3<f32>;
+var phi_5622_: bool;
+var phi_5835_: vec3<f32>;
+var phi_6370_: bool;
+var phi_6584_: vec3<f32>;
+var phi_7119_: bool;
+var phi_7333_: vec3<f32>;
+var phi_7868_: bool;
+var phi_8081_: vec3<f32>;
+var phi_8616_: bool;
+var phi_8626_: f32;
+var phi_8627_: f32;
+var phi_8645_: array<f32, 23>;
+var phi_631_: u32;
+var phi_634_: bool;
+var phi_636_: array<f32, 23>;
+var phi_8748_: bool;
 var local_18: bool;
 var local_19: array<f32, 23>;
 var local_20: array<f32, 23>;
@@ -366,13 +378,13 @@ let _e357 = ((22u * _e112) + _e114);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e117, _e358, (_e358 < _e117));
 let _e366 = global_4.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
-phi_629_ = 0u;
-phi_632_ = false;
-phi_634_ = array<f32, 23>(_e125, _e135, _e146, _e157, _e168, _e179, _e190, _e201, _e212, _e223, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
+phi_630_ = 0u;
+phi_633_ = false;
+phi_635_ = array<f32, 23>(_e125, _e135, _e146, _e157, _e168, _e179, _e190, _e201, _e212, _e223, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
 loop {
-let _e369 = phi_629_;
-let _e371 = phi_632_;
-let _e373 = phi_634_;
+let _e369 = phi_630_;
+let _e371 = phi_633_;
+let _e373 = phi_635_;
 local_18 = _e371;
 local_19 = _e373;
 local_20 = _e373;
@@ -401,7 +413,7 @@ let _e374 = (_e369 < _e83);
 if _e374 {
 if _e374 {
 } else {
-phi_8747_ = true;
+phi_8748_ = true;
 break;
 }
 let _e378 = global_2.member[_e369].member;
@@ -476,11 +488,11 @@ let _e685 = bitcast<f32>(_e684);
 let _e686 = (_e373[17] == -1.2676506e30f);
 let _e687 = (_e378.member_2 == 0u);
 if _e687 {
-phi_998_ = (_e685 <= _e373[6]);
+phi_999_ = (_e685 <= _e373[6]);
 } else {
-phi_998_ = (_e685 >= _e373[6]);
+phi_999_ = (_e685 >= _e373[6]);
 }
-let _e691 = phi_998_;
+let _e691 = phi_999_;
 let _e693 = !(_e686);
 let _e700 = global_2.member[_e369].member_1;
 let _e708 = (_e486 + 0.5f);
@@ -559,7 +571,7 @@ let _e917 = select(1f, _e910, (_e912 && (_e895 <= 0f)));
 let _e919 = select(_e914, _e892, (_e892 > _e914));
 let _e921 = select(_e917, _e894, (_e894 < _e917));
 if _e738 {
-phi_1894_ = type_31(_e919, _e921);
+phi_1895_ = type_32(_e919, _e921);
 } else {
 let _e927 = global_2.member[_e369].member_16.member;
 let _e938 = ((((_e927.member.member * _e403) + (_e927.member.member_1 * _e405)) + (_e927.member.member_2 * _e393)) + _e927.member_1);
@@ -607,9 +619,9 @@ let _e1099 = select(1f, _e1097, (_e1097 < 1f));
 let _e1101 = (_e1085 > 0f);
 let _e1103 = select(0f, select(_e1099, 2f, _e1101), (_e1079 > 0f));
 let _e1106 = select(1f, _e1099, (_e1101 && (_e1079 <= 0f)));
-phi_1894_ = type_31(select(_e1103, _e1061, (_e1061 > _e1103)), select(_e1106, _e1063, (_e1063 < _e1106)));
+phi_1895_ = type_32(select(_e1103, _e1061, (_e1061 > _e1103)), select(_e1106, _e1063, (_e1063 < _e1106)));
 }
-let _e1113 = phi_1894_;
+let _e1113 = phi_1895_;
 let _e1116 = (_e1113.member_1 > _e1113.member);
 let _e1117 = (_e407 - _e403);
 let _e1118 = (_e409 - _e405);
@@ -632,7 +644,7 @@ let _e1160 = select(_e524, _e1158, (_e1158 < _e524));
 let _e1166 = global_2.member[_e369].member_8.member_15;
 let _e1167 = (_e1166 == 0u);
 if _e1167 {
-phi_2115_ = vec3<f32>(_e1152, _e1156, _e1160);
+phi_2116_ = vec3<f32>(_e1152, _e1156, _e1160);
 } else {
 let _e1168 = (_e1152 + 0.5f);
 let _e1170 = select(0f, _e1168, (_e1168 > 0f));
@@ -646,9 +658,9 @@ let _e1202 = (_e1160 + 0.5f);
 let _e1204 = select(0f, _e1202, (_e1202 > 0f));
 let _e1206 = select(_e632, _e1204, (_e1204 < _e632));
 let _e1213 = select(0i, select(select(i32(_e1206), i32(-2147483648), (_e1206 < -2147483600f)), 2147483647i, (_e1206 > 2147483500f)), (_e1206 == _e1206));
-phi_2115_ = vec3<f32>(f32((_e1179 - select(0i, 1i, (_e1172 < f32(_e1179))))), f32((_e1196 - select(0i, 1i, (_e1189 < f32(_e1196))))), f32((_e1213 - select(0i, 1i, (_e1206 < f32(_e1213))))));
+phi_2116_ = vec3<f32>(f32((_e1179 - select(0i, 1i, (_e1172 < f32(_e1179))))), f32((_e1196 - select(0i, 1i, (_e1189 < f32(_e1196))))), f32((_e1213 - select(0i, 1i, (_e1206 < f32(_e1213))))));
 }
-let _e1221 = phi_2115_;
+let _e1221 = phi_2116_;
 let _e1224 = select(-1f, _e1221.x, (_e1221.x > -1f));
 let _e1226 = select(_e574, _e1224, (_e1224 < _e574));
 let _e1233 = select(0i, select(select(i32(_e1226), i32(-2147483648), (_e1226 < -2147483600f)), 2147483647i, (_e1226 > 2147483500f)), (_e1226 == _e1226));
@@ -680,7 +692,7 @@ let _e1342 = (select(0i, _e1253, (_e1253 > 0i)) * _e1274);
 let _e1343 = (select(_e1287, _e1290, (_e1290 < _e1287)) * _e1274);
 let _e1344 = (select(0i, _e1269, (_e1269 > 0i)) * _e1279);
 let _e1345 = (select(_e1300, _e1303, (_e1303 < _e1300)) * _e1279);
-local_16 = type_28(array<i32, 4>(_e1329, _e1329, _e1329, _e1329), array<u32, 6>(bitcast<u32>(((_e1316 - _e1329) * 8i)), bitcast<u32>(((select(0i, _e1237, (_e1237 > 0i)) - _e1329) * 8i)), bitcast<u32>(((select(_e1313, _e1319, (_e1319 < _e1313)) - _e1329) * 8i)), bitcast<u32>(((select(_e1313, _e1322, (_e1322 < _e1313)) - _e1329) * 8i)), 0u, 0u));
+local_16 = type_29(array<i32, 4>(_e1329, _e1329, _e1329, _e1329), array<u32, 6>(bitcast<u32>(((_e1316 - _e1329) * 8i)), bitcast<u32>(((select(0i, _e1237, (_e1237 > 0i)) - _e1329) * 8i)), bitcast<u32>(((select(_e1313, _e1319, (_e1319 < _e1313)) - _e1329) * 8i)), bitcast<u32>(((select(_e1313, _e1322, (_e1322 < _e1313)) - _e1329) * 8i)), 0u, 0u));
 local_17 = (_e1221 - vec3<f32>(f32(_e1237), f32(_e1253), f32(_e1269)));
 let _e1358 = local_16.member[0u];
 let _e1359 = ((_e1344 + _e1342) + _e1358);
@@ -764,7 +776,7 @@ let _e1632 = select(_e508, _e1630, (_e1630 < _e508));
 let _e1634 = select(_e518, _e1624, (_e1624 > _e518));
 let _e1636 = select(_e524, _e1634, (_e1634 < _e524));
 if _e1167 {
-phi_2848_ = vec3<f32>(_e1628, _e1632, _e1636);
+phi_2849_ = vec3<f32>(_e1628, _e1632, _e1636);
 } else {
 let _e1638 = (_e1628 + 0.5f);
 let _e1640 = select(0f, _e1638, (_e1638 > 0f));
@@ -778,9 +790,9 @@ let _e1672 = (_e1636 + 0.5f);
 let _e1674 = select(0f, _e1672, (_e1672 > 0f));
 let _e1676 = select(_e632, _e1674, (_e1674 < _e632));
 let _e1683 = select(0i, select(select(i32(_e1676), i32(-2147483648), (_e1676 < -2147483600f)), 2147483647i, (_e1676 > 2147483500f)), (_e1676 == _e1676));
-phi_2848_ = vec3<f32>(f32((_e1649 - select(0i, 1i, (_e1642 < f32(_e1649))))), f32((_e1666 - select(0i, 1i, (_e1659 < f32(_e1666))))), f32((_e1683 - select(0i, 1i, (_e1676 < f32(_e1683))))));
+phi_2849_ = vec3<f32>(f32((_e1649 - select(0i, 1i, (_e1642 < f32(_e1649))))), f32((_e1666 - select(0i, 1i, (_e1659 < f32(_e1666))))), f32((_e1683 - select(0i, 1i, (_e1676 < f32(_e1683))))));
 }
-let _e1691 = phi_2848_;
+let _e1691 = phi_2849_;
 let _e1694 = select(-1f, _e1691.x, (_e1691.x > -1f));
 let _e1696 = select(_e574, _e1694, (_e1694 < _e574));
 let _e1703 = select(0i, select(select(i32(_e1696), i32(-2147483648), (_e1696 < -2147483600f)), 2147483647i, (_e1696 > 2147483500f)), (_e1696 == _e1696));
@@ -804,7 +816,7 @@ let _e1775 = (select(0i, _e1723, (_e1723 > 0i)) * _e1274);
 let _e1776 = (select(_e1287, _e1742, (_e1742 < _e1287)) * _e1274);
 let _e1777 = (select(0i, _e1739, (_e1739 > 0i)) * _e1279);
 let _e1778 = (select(_e1300, _e1747, (_e1747 < _e1300)) * _e1279);
-local_14 = type_28(array<i32, 4>(_e1762, _e1762, _e1762, _e1762), array<u32, 6>(bitcast<u32>(((_e1752 - _e1762) * 8i)), bitcast<u32>(((select(0i, _e1707, (_e1707 > 0i)) - _e1762) * 8i)), bitcast<u32>(((select(_e1313, _e1755, (_e1755 < _e1313)) - _e1762) * 8i)), bitcast<u32>(((select(_e1313, _e1758, (_e1758 < _e1313)) - _e1762) * 8i)), 0u, 0u));
+local_14 = type_29(array<i32, 4>(_e1762, _e1762, _e1762, _e1762), array<u32, 6>(bitcast<u32>(((_e1752 - _e1762) * 8i)), bitcast<u32>(((select(0i, _e1707, (_e1707 > 0i)) - _e1762) * 8i)), bitcast<u32>(((select(_e1313, _e1755, (_e1755 < _e1313)) - _e1762) * 8i)), bitcast<u32>(((select(_e1313, _e1758, (_e1758 < _e1313)) - _e1762) * 8i)), 0u, 0u));
 local_15 = (_e1691 - vec3<f32>(f32(_e1707), f32(_e1723), f32(_e1739)));
 let _e1791 = local_14.member[0u];
 let _e1792 = ((_e1777 + _e1775) + _e1791);
@@ -884,7 +896,7 @@ let _e2052 = select(_e508, _e2050, (_e2050 < _e508));
 let _e2054 = select(_e518, _e2044, (_e2044 > _e518));
 let _e2056 = select(_e524, _e2054, (_e2054 < _e524));
 if _e1167 {
-phi_3581_ = vec3<f32>(_e2048, _e2052, _e2056);
+phi_3582_ = vec3<f32>(_e2048, _e2052, _e2056);
 } else {
 let _e2058 = (_e2048 + 0.5f);
 let _e2060 = select(0f, _e2058, (_e2058 > 0f));
@@ -898,9 +910,9 @@ let _e2092 = (_e2056 + 0.5f);
 let _e2094 = select(0f, _e2092, (_e2092 > 0f));
 let _e2096 = select(_e632, _e2094, (_e2094 < _e632));
 let _e2103 = select(0i, select(select(i32(_e2096), i32(-2147483648), (_e2096 < -2147483600f)), 2147483647i, (_e2096 > 2147483500f)), (_e2096 == _e2096));
-phi_3581_ = vec3<f32>(f32((_e2069 - select(0i, 1i, (_e2062 < f32(_e2069))))), f32((_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))))), f32((_e2103 - select(0i, 1i, (_e2096 < f32(_e2103))))));
+phi_3582_ = vec3<f32>(f32((_e2069 - select(0i, 1i, (_e2062 < f32(_e2069))))), f32((_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))))), f32((_e2103 - select(0i, 1i, (_e2096 < f32(_e2103))))));
 }
-let _e2111 = phi_3581_;
+let _e2111 = phi_3582_;
 let _e2114 = select(-1f, _e2111.x, (_e2111.x > -1f));
 let _e2116 = select(_e574, _e2114, (_e2114 < _e574));
 let _e2123 = select(0i, select(select(i32(_e2116), i32(-2147483648), (_e2116 < -2147483600f)), 2147483647i, (_e2116 > 2147483500f)), (_e2116 == _e2116));
@@ -924,7 +936,7 @@ let _e2195 = (select(0i, _e2143, (_e2143 > 0i)) * _e1274);
 let _e2196 = (select(_e1287, _e2162, (_e2162 < _e1287)) * _e1274);
 let _e2197 = (select(0i, _e2159, (_e2159 > 0i)) * _e1279);
 let _e2198 = (select(_e1300, _e2167, (_e2167 < _e1300)) * _e1279);
-local_12 = type_28(array<i32, 4>(_e2182, _e2182, _e2182, _e2182), array<u32, 6>(bitcast<u32>(((_e2172 - _e2182) * 8i)), bitcast<u32>(((select(0i, _e2127, (_e2127 > 0i)) - _e2182) * 8i)), bitcast<u32>(((select(_e1313, _e2175, (_e2175 < _e1313)) - _e2182) * 8i)), bitcast<u32>(((select(_e1313, _e2178, (_e2178 < _e1313)) - _e2182) * 8i)), 0u, 0u));
+local_12 = type_29(array<i32, 4>(_e2182, _e2182, _e2182, _e2182), array<u32, 6>(bitcast<u32>(((_e2172 - _e2182) * 8i)), bitcast<u32>(((select(0i, _e2127, (_e2127 > 0i)) - _e2182) * 8i)), bitcast<u32>(((select(_e1313, _e2175, (_e2175 < _e1313)) - _e2182) * 8i)), bitcast<u32>(((select(_e1313, _e2178, (_e2178 < _e1313)) - _e2182) * 8i)), 0u, 0u));
 local_13 = (_e2111 - vec3<f32>(f32(_e2127), f32(_e2143), f32(_e2159)));
 let _e2211 = local_12.member[0u];
 let _e2212 = ((_e2197 + _e2195) + _e2211);
@@ -1004,7 +1016,7 @@ let _e2472 = select(_e508, _e2470, (_e2470 < _e508));
 let _e2474 = select(_e518, _e2464, (_e2464 > _e518));
 let _e2476 = select(_e524, _e2474, (_e2474 < _e524));
 if _e1167 {
-phi_4314_ = vec3<f32>(_e2468, _e2472, _e2476);
+phi_4315_ = vec3<f32>(_e2468, _e2472, _e2476);
 } else {
 let _e2478 = (_e2468 + 0.5f);
 let _e2480 = select(0f, _e2478, (_e2478 > 0f));
@@ -1018,9 +1030,9 @@ let _e2512 = (_e2476 + 0.5f);
 let _e2514 = select(0f, _e2512, (_e2512 > 0f));
 let _e2516 = select(_e632, _e2514, (_e2514 < _e632));
 let _e2523 = select(0i, select(select(i32(_e2516), i32(-2147483648), (_e2516 < -2147483600f)), 2147483647i, (_e2516 > 2147483500f)), (_e2516 == _e2516));
-phi_4314_ = vec3<f32>(f32((_e2489 - select(0i, 1i, (_e2482 < f32(_e2489))))), f32((_e2506 - select(0i, 1i, (_e2499 < f32(_e2506))))), f32((_e2523 - select(0i, 1i, (_e2516 < f32(_e2523))))));
+phi_4315_ = vec3<f32>(f32((_e2489 - select(0i, 1i, (_e2482 < f32(_e2489))))), f32((_e2506 - select(0i, 1i, (_e2499 < f32(_e2506))))), f32((_e2523 - select(0i, 1i, (_e2516 < f32(_e2523))))));
 }
-let _e2531 = phi_4314_;
+let _e2531 = phi_4315_;
 let _e2534 = select(-1f, _e2531.x, (_e2531.x > -1f));
 let _e2536 = select(_e574, _e2534, (_e2534 < _e574));
 let _e2543 = select(0i, select(select(i32(_e2536), i32(-2147483648), (_e2536 < -2147483600f)), 2147483647i, (_e2536 > 2147483500f)), (_e2536 == _e2536));
@@ -1044,7 +1056,7 @@ let _e2615 = (select(0i, _e2563, (_e2563 > 0i)) * _e1274);
 let _e2616 = (select(_e1287, _e2582, (_e2582 < _e1287)) * _e1274);
 let _e2617 = (select(0i, _e2579, (_e2579 > 0i)) * _e1279);
 let _e2618 = (select(_e1300, _e2587, (_e2587 < _e1300)) * _e1279);
-local_10 = type_28(array<i32, 4>(_e2602, _e2602, _e2602, _e2602), array<u32, 6>(bitcast<u32>(((_e2592 - _e2602) * 8i)), bitcast<u32>(((select(0i, _e2547, (_e2547 > 0i)) - _e2602) * 8i)), bitcast<u32>(((select(_e1313, _e2595, (_e2595 < _e1313)) - _e2602) * 8i)), bitcast<u32>(((select(_e1313, _e2598, (_e2598 < _e1313)) - _e2602) * 8i)), 0u, 0u));
+local_10 = type_29(array<i32, 4>(_e2602, _e2602, _e2602, _e2602), array<u32, 6>(bitcast<u32>(((_e2592 - _e2602) * 8i)), bitcast<u32>(((select(0i, _e2547, (_e2547 > 0i)) - _e2602) * 8i)), bitcast<u32>(((select(_e1313, _e2595, (_e2595 < _e1313)) - _e2602) * 8i)), bitcast<u32>(((select(_e1313, _e2598, (_e2598 < _e1313)) - _e2602) * 8i)), 0u, 0u));
 local_11 = (_e2531 - vec3<f32>(f32(_e2547), f32(_e2563), f32(_e2579)));
 let _e2631 = local_10.member[0u];
 let _e2632 = ((_e2617 + _e2615) + _e2631);
@@ -1112,15 +1124,15 @@ let _e2853 = (((_e2740 + (((_e2791 + (((_e2831 + ((f32(bitcast<i32>(((_e2824 >> 
 let _e2855 = select(_e1593, _e2853, (_e2853 > _e1593));
 let _e2862 = (((_e1117 * _e1117) + (_e1118 * _e1118)) + (_e1119 * _e1119));
 let _e2867 = select(0f, (sqrt(select(0f, _e2862, (_e2862 > 0f))) * _e1122), _e1116);
-phi_8625_ = (_e373[8] + _e2867);
-phi_8626_ = (_e373[6] + ((((select(1e9f, _e1595, (_e1595 < 1e9f)) + select(1e9f, _e2015, (_e2015 < 1e9f))) + (select(1e9f, _e2435, (_e2435 < 1e9f)) + select(1e9f, _e2855, (_e2855 < 1e9f)))) * 0.25f) * _e2867));
+phi_8626_ = (_e373[8] + _e2867);
+phi_8627_ = (_e373[6] + ((((select(1e9f, _e1595, (_e1595 < 1e9f)) + select(1e9f, _e2015, (_e2015 < 1e9f))) + (select(1e9f, _e2435, (_e2435 < 1e9f)) + select(1e9f, _e2855, (_e2855 < 1e9f)))) * 0.25f) * _e2867));
 } else {
 if _e687 {
-phi_4875_ = -(2e9f);
+phi_4876_ = -(2e9f);
 } else {
-phi_4875_ = 2e9f;
+phi_4876_ = 2e9f;
 }
-let _e2877 = phi_4875_;
+let _e2877 = phi_4876_;
 let _e2878 = select(_e373[6], _e2877, _e686);
 let _e2879 = (_e1113.member_1 - _e1113.member);
 let _e2881 = (_e1113.member + (_e2879 * 0f));
@@ -1139,7 +1151,7 @@ let _e2917 = select(_e524, _e2915, (_e2915 < _e524));
 let _e2923 = global_2.member[_e369].member_8.member_15;
 let _e2924 = (_e2923 == 0u);
 if _e2924 {
-phi_5083_ = vec3<f32>(_e2909, _e2913, _e2917);
+phi_5084_ = vec3<f32>(_e2909, _e2913, _e2917);
 } else {
 let _e2925 = (_e2909 + 0.5f);
 let _e2927 = select(0f, _e2925, (_e2925 > 0f));
@@ -1153,9 +1165,9 @@ let _e2959 = (_e2917 + 0.5f);
 let _e2961 = select(0f, _e2959, (_e2959 > 0f));
 let _e2963 = select(_e632, _e2961, (_e2961 < _e632));
 let _e2970 = select(0i, select(select(i32(_e2963), i32(-2147483648), (_e2963 < -2147483600f)), 2147483647i, (_e2963 > 2147483500f)), (_e2963 == _e2963));
-phi_5083_ = vec3<f32>(f32((_e2936 - select(0i, 1i, (_e2929 < f32(_e2936))))), f32((_e2953 - select(0i, 1i, (_e2946 < f32(_e2953))))), f32((_e2970 - select(0i, 1i, (_e2963 < f32(_e2970))))));
+phi_5084_ = vec3<f32>(f32((_e2936 - select(0i, 1i, (_e2929 < f32(_e2936))))), f32((_e2953 - select(0i, 1i, (_e2946 < f32(_e2953))))), f32((_e2970 - select(0i, 1i, (_e2963 < f32(_e2970))))));
 }
-let _e2978 = phi_5083_;
+let _e2978 = phi_5084_;
 let _e2981 = select(-1f, _e2978.x, (_e2978.x > -1f));
 let _e2983 = select(_e574, _e2981, (_e2981 < _e574));
 let _e2990 = select(0i, select(select(i32(_e2983), i32(-2147483648), (_e2983 < -2147483600f)), 2147483647i, (_e2983 > 2147483500f)), (_e2983 == _e2983));
@@ -1187,7 +1199,7 @@ let _e3099 = (select(0i, _e3010, (_e3010 > 0i)) * _e3031);
 let _e3100 = (select(_e3044, _e3047, (_e3047 < _e3044)) * _e3031);
 let _e3101 = (select(0i, _e3026, (_e3026 > 0i)) * _e3036);
 let _e3102 = (select(_e3057, _e3060, (_e3060 < _e3057)) * _e3036);
-local_8 = type_28(array<i32, 4>(_e3086, _e3086, _e3086, _e3086), array<u32, 6>(bitcast<u32>(((_e3073 - _e3086) * 8i)), bitcast<u32>(((select(0i, _e2994, (_e2994 > 0i)) - _e3086) * 8i)), bitcast<u32>(((select(_e3070, _e3076, (_e3076 < _e3070)) - _e3086) * 8i)), bitcast<u32>(((select(_e3070, _e3079, (_e3079 < _e3070)) - _e3086) * 8i)), 0u, 0u));
+local_8 = type_29(array<i32, 4>(_e3086, _e3086, _e3086, _e3086), array<u32, 6>(bitcast<u32>(((_e3073 - _e3086) * 8i)), bitcast<u32>(((select(0i, _e2994, (_e2994 > 0i)) - _e3086) * 8i)), bitcast<u32>(((select(_e3070, _e3076, (_e3076 < _e3070)) - _e3086) * 8i)), bitcast<u32>(((select(_e3070, _e3079, (_e3079 < _e3070)) - _e3086) * 8i)), 0u, 0u));
 local_9 = (_e2978 - vec3<f32>(f32(_e2994), f32(_e3010), f32(_e3026)));
 let _e3115 = local_8.member[0u];
 let _e3116 = ((_e3101 + _e3099) + _e3115);
@@ -1259,11 +1271,11 @@ let _e3350 = -(1e9f);
 let _e3352 = select(_e3350, _e3349, (_e3349 > _e3350));
 let _e3354 = select(1e9f, _e3352, (_e3352 < 1e9f));
 if _e687 {
-phi_5621_ = (_e3354 > _e2878);
+phi_5622_ = (_e3354 > _e2878);
 } else {
-phi_5621_ = (_e3354 < _e2878);
+phi_5622_ = (_e3354 < _e2878);
 }
-let _e3361 = phi_5621_;
+let _e3361 = phi_5622_;
 let _e3362 = ((_e1116 && (_e686 || (_e1113.member > 0f))) && _e3361);
 let _e3363 = select(_e2878, _e3354, _e3362);
 let _e3366 = (_e1113.member + (_e2879 * 0.25f));
@@ -1280,7 +1292,7 @@ let _e3398 = select(_e508, _e3396, (_e3396 < _e508));
 let _e3400 = select(_e518, _e3390, (_e3390 > _e518));
 let _e3402 = select(_e524, _e3400, (_e3400 < _e524));
 if _e2924 {
-phi_5834_ = vec3<f32>(_e3394, _e3398, _e3402);
+phi_5835_ = vec3<f32>(_e3394, _e3398, _e3402);
 } else {
 let _e3404 = (_e3394 + 0.5f);
 let _e3406 = select(0f, _e3404, (_e3404 > 0f));
@@ -1294,9 +1306,9 @@ let _e3438 = (_e3402 + 0.5f);
 let _e3440 = select(0f, _e3438, (_e3438 > 0f));
 let _e3442 = select(_e632, _e3440, (_e3440 < _e632));
 let _e3449 = select(0i, select(select(i32(_e3442), i32(-2147483648), (_e3442 < -2147483600f)), 2147483647i, (_e3442 > 2147483500f)), (_e3442 == _e3442));
-phi_5834_ = vec3<f32>(f32((_e3415 - select(0i, 1i, (_e3408 < f32(_e3415))))), f32((_e3432 - select(0i, 1i, (_e3425 < f32(_e3432))))), f32((_e3449 - select(0i, 1i, (_e3442 < f32(_e3449))))));
+phi_5835_ = vec3<f32>(f32((_e3415 - select(0i, 1i, (_e3408 < f32(_e3415))))), f32((_e3432 - select(0i, 1i, (_e3425 < f32(_e3432))))), f32((_e3449 - select(0i, 1i, (_e3442 < f32(_e3449))))));
 }
-let _e3457 = phi_5834_;
+let _e3457 = phi_5835_;
 let _e3460 = select(-1f, _e3457.x, (_e3457.x > -1f));
 let _e3462 = select(_e574, _e3460, (_e3460 < _e574));
 let _e3469 = select(0i, select(select(i32(_e3462), i32(-2147483648), (_e3462 < -2147483600f)), 2147483647i, (_e3462 > 2147483500f)), (_e3462 == _e3462));
@@ -1320,7 +1332,7 @@ let _e3541 = (select(0i, _e3489, (_e3489 > 0i)) * _e3031);
 let _e3542 = (select(_e3044, _e3508, (_e3508 < _e3044)) * _e3031);
 let _e3543 = (select(0i, _e3505, (_e3505 > 0i)) * _e3036);
 let _e3544 = (select(_e3057, _e3513, (_e3513 < _e3057)) * _e3036);
-local_6 = type_28(array<i32, 4>(_e3528, _e3528, _e3528, _e3528), array<u32, 6>(bitcast<u32>(((_e3518 - _e3528) * 8i)), bitcast<u32>(((select(0i, _e3473, (_e3473 > 0i)) - _e3528) * 8i)), bitcast<u32>(((select(_e3070, _e3521, (_e3521 < _e3070)) - _e3528) * 8i)), bitcast<u32>(((select(_e3070, _e3524, (_e3524 < _e3070)) - _e3528) * 8i)), 0u, 0u));
+local_6 = type_29(array<i32, 4>(_e3528, _e3528, _e3528, _e3528), array<u32, 6>(bitcast<u32>(((_e3518 - _e3528) * 8i)), bitcast<u32>(((select(0i, _e3473, (_e3473 > 0i)) - _e3528) * 8i)), bitcast<u32>(((select(_e3070, _e3521, (_e3521 < _e3070)) - _e3528) * 8i)), bitcast<u32>(((select(_e3070, _e3524, (_e3524 < _e3070)) - _e3528) * 8i)), 0u, 0u));
 local_7 = (_e3457 - vec3<f32>(f32(_e3473), f32(_e3489), f32(_e3505)));
 let _e3557 = local_6.member[0u];
 let _e3558 = ((_e3543 + _e3541) + _e3557);
@@ -1388,11 +1400,11 @@ let _e3779 = (((_e3666 + (((_e3717 + (((_e3757 + ((f32(bitcast<i32>(((_e3750 >> 
 let _e3781 = select(_e3350, _e3779, (_e3779 > _e3350));
 let _e3783 = select(1e9f, _e3781, (_e3781 < 1e9f));
 if _e687 {
-phi_6369_ = (_e3783 > _e3363);
+phi_6370_ = (_e3783 > _e3363);
 } else {
-phi_6369_ = (_e3783 < _e3363);
+phi_6370_ = (_e3783 < _e3363);
 }
-let _e3787 = phi_6369_;
+let _e3787 = phi_6370_;
 let _e3788 = (_e1116 && _e3787);
 let _e3789 = select(_e3363, _e3783, _e3788);
 let _e3793 = (_e1113.member + (_e2879 * (2f * 0.25f)));
@@ -1409,7 +1421,7 @@ let _e3825 = select(_e508, _e3823, (_e3823 < _e508));
 let _e3827 = select(_e518, _e3817, (_e3817 > _e518));
 let _e3829 = select(_e524, _e3827, (_e3827 < _e524));
 if _e2924 {
-phi_6583_ = vec3<f32>(_e3821, _e3825, _e3829);
+phi_6584_ = vec3<f32>(_e3821, _e3825, _e3829);
 } else {
 let _e3831 = (_e3821 + 0.5f);
 let _e3833 = select(0f, _e3831, (_e3831 > 0f));
@@ -1423,9 +1435,9 @@ let _e3865 = (_e3829 + 0.5f);
 let _e3867 = select(0f, _e3865, (_e3865 > 0f));
 let _e3869 = select(_e632, _e3867, (_e3867 < _e632));
 let _e3876 = select(0i, select(select(i32(_e3869), i32(-2147483648), (_e3869 < -2147483600f)), 2147483647i, (_e3869 > 2147483500f)), (_e3869 == _e3869));
-phi_6583_ = vec3<f32>(f32((_e3842 - select(0i, 1i, (_e3835 < f32(_e3842))))), f32((_e3859 - select(0i, 1i, (_e3852 < f32(_e3859))))), f32((_e3876 - select(0i, 1i, (_e3869 < f32(_e3876))))));
+phi_6584_ = vec3<f32>(f32((_e3842 - select(0i, 1i, (_e3835 < f32(_e3842))))), f32((_e3859 - select(0i, 1i, (_e3852 < f32(_e3859))))), f32((_e3876 - select(0i, 1i, (_e3869 < f32(_e3876))))));
 }
-let _e3884 = phi_6583_;
+let _e3884 = phi_6584_;
 let _e3887 = select(-1f, _e3884.x, (_e3884.x > -1f));
 let _e3889 = select(_e574, _e3887, (_e3887 < _e574));
 let _e3896 = select(0i, select(select(i32(_e3889), i32(-2147483648), (_e3889 < -2147483600f)), 2147483647i, (_e3889 > 2147483500f)), (_e3889 == _e3889));
@@ -1449,7 +1461,7 @@ let _e3968 = (select(0i, _e3916, (_e3916 > 0i)) * _e3031);
 let _e3969 = (select(_e3044, _e3935, (_e3935 < _e3044)) * _e3031);
 let _e3970 = (select(0i, _e3932, (_e3932 > 0i)) * _e3036);
 let _e3971 = (select(_e3057, _e3940, (_e3940 < _e3057)) * _e3036);
-local_4 = type_28(array<i32, 4>(_e3955, _e3955, _e3955, _e3955), array<u32, 6>(bitcast<u32>(((_e3945 - _e3955) * 8i)), bitcast<u32>(((select(0i, _e3900, (_e3900 > 0i)) - _e3955) * 8i)), bitcast<u32>(((select(_e3070, _e3948, (_e3948 < _e3070)) - _e3955) * 8i)), bitcast<u32>(((select(_e3070, _e3951, (_e3951 < _e3070)) - _e3955) * 8i)), 0u, 0u));
+local_4 = type_29(array<i32, 4>(_e3955, _e3955, _e3955, _e3955), array<u32, 6>(bitcast<u32>(((_e3945 - _e3955) * 8i)), bitcast<u32>(((select(0i, _e3900, (_e3900 > 0i)) - _e3955) * 8i)), bitcast<u32>(((select(_e3070, _e3948, (_e3948 < _e3070)) - _e3955) * 8i)), bitcast<u32>(((select(_e3070, _e3951, (_e3951 < _e3070)) - _e3955) * 8i)), 0u, 0u));
 local_5 = (_e3884 - vec3<f32>(f32(_e3900), f32(_e3916), f32(_e3932)));
 let _e3984 = local_4.member[0u];
 let _e3985 = ((_e3970 + _e3968) + _e3984);
@@ -1517,11 +1529,11 @@ let _e4206 = (((_e4093 + (((_e4144 + (((_e4184 + ((f32(bitcast<i32>(((_e4177 >> 
 let _e4208 = select(_e3350, _e4206, (_e4206 > _e3350));
 let _e4210 = select(1e9f, _e4208, (_e4208 < 1e9f));
 if _e687 {
-phi_7118_ = (_e4210 > _e3789);
+phi_7119_ = (_e4210 > _e3789);
 } else {
-phi_7118_ = (_e4210 < _e3789);
+phi_7119_ = (_e4210 < _e3789);
 }
-let _e4214 = phi_7118_;
+let _e4214 = phi_7119_;
 let _e4215 = (_e1116 && _e4214);
 let _e4216 = select(_e3789, _e4210, _e4215);
 let _e4220 = (_e1113.member + (_e2879 * (3f * 0.25f)));
@@ -1538,7 +1550,7 @@ let _e4252 = select(_e508, _e4250, (_e4250 < _e508));
 let _e4254 = select(_e518, _e4244, (_e4244 > _e518));
 let _e4256 = select(_e524, _e4254, (_e4254 < _e524));
 if _e2924 {
-phi_7332_ = vec3<f32>(_e4248, _e4252, _e4256);
+phi_7333_ = vec3<f32>(_e4248, _e4252, _e4256);
 } else {
 let _e4258 = (_e4248 + 0.5f);
 let _e4260 = select(0f, _e4258, (_e4258 > 0f));
@@ -1552,9 +1564,9 @@ let _e4292 = (_e4256 + 0.5f);
 let _e4294 = select(0f, _e4292, (_e4292 > 0f));
 let _e4296 = select(_e632, _e4294, (_e4294 < _e632));
 let _e4303 = select(0i, select(select(i32(_e4296), i32(-2147483648), (_e4296 < -2147483600f)), 2147483647i, (_e4296 > 2147483500f)), (_e4296 == _e4296));
-phi_7332_ = vec3<f32>(f32((_e4269 - select(0i, 1i, (_e4262 < f32(_e4269))))), f32((_e4286 - select(0i, 1i, (_e4279 < f32(_e4286))))), f32((_e4303 - select(0i, 1i, (_e4296 < f32(_e4303))))));
+phi_7333_ = vec3<f32>(f32((_e4269 - select(0i, 1i, (_e4262 < f32(_e4269))))), f32((_e4286 - select(0i, 1i, (_e4279 < f32(_e4286))))), f32((_e4303 - select(0i, 1i, (_e4296 < f32(_e4303))))));
 }
-let _e4311 = phi_7332_;
+let _e4311 = phi_7333_;
 let _e4314 = select(-1f, _e4311.x, (_e4311.x > -1f));
 let _e4316 = select(_e574, _e4314, (_e4314 < _e574));
 let _e4323 = select(0i, select(select(i32(_e4316), i32(-2147483648), (_e4316 < -2147483600f)), 2147483647i, (_e4316 > 2147483500f)), (_e4316 == _e4316));
@@ -1578,7 +1590,7 @@ let _e4395 = (select(0i, _e4343, (_e4343 > 0i)) * _e3031);
 let _e4396 = (select(_e3044, _e4362, (_e4362 < _e3044)) * _e3031);
 let _e4397 = (select(0i, _e4359, (_e4359 > 0i)) * _e3036);
 let _e4398 = (select(_e3057, _e4367, (_e4367 < _e3057)) * _e3036);
-local_2 = type_28(array<i32, 4>(_e4382, _e4382, _e4382, _e4382), array<u32, 6>(bitcast<u32>(((_e4372 - _e4382) * 8i)), bitcast<u32>(((select(0i, _e4327, (_e4327 > 0i)) - _e4382) * 8i)), bitcast<u32>(((select(_e3070, _e4375, (_e4375 < _e3070)) - _e4382) * 8i)), bitcast<u32>(((select(_e3070, _e4378, (_e4378 < _e3070)) - _e4382) * 8i)), 0u, 0u));
+local_2 = type_29(array<i32, 4>(_e4382, _e4382, _e4382, _e4382), array<u32, 6>(bitcast<u32>(((_e4372 - _e4382) * 8i)), bitcast<u32>(((select(0i, _e4327, (_e4327 > 0i)) - _e4382) * 8i)), bitcast<u32>(((select(_e3070, _e4375, (_e4375 < _e3070)) - _e4382) * 8i)), bitcast<u32>(((select(_e3070, _e4378, (_e4378 < _e3070)) - _e4382) * 8i)), 0u, 0u));
 local_3 = (_e4311 - vec3<f32>(f32(_e4327), f32(_e4343), f32(_e4359)));
 let _e4411 = local_2.member[0u];
 let _e4412 = ((_e4397 + _e4395) + _e4411);
@@ -1646,11 +1658,11 @@ let _e4633 = (((_e4520 + (((_e4571 + (((_e4611 + ((f32(bitcast<i32>(((_e4604 >> 
 let _e4635 = select(_e3350, _e4633, (_e4633 > _e3350));
 let _e4637 = select(1e9f, _e4635, (_e4635 < 1e9f));
 if _e687 {
-phi_7867_ = (_e4637 > _e4216);
+phi_7868_ = (_e4637 > _e4216);
 } else {
-phi_7867_ = (_e4637 < _e4216);
+phi_7868_ = (_e4637 < _e4216);
 }
-let _e4641 = phi_7867_;
+let _e4641 = phi_7868_;
 let _e4642 = (_e1116 && _e4641);
 let _e4643 = select(_e4216, _e4637, _e4642);
 let _e4646 = (_e1113.member + (_e2879 * 1f));
@@ -1667,7 +1679,7 @@ let _e4678 = select(_e508, _e4676, (_e4676 < _e508));
 let _e4680 = select(_e518, _e4670, (_e4670 > _e518));
 let _e4682 = select(_e524, _e4680, (_e4680 < _e524));
 if _e2924 {
-phi_8080_ = vec3<f32>(_e4674, _e4678, _e4682);
+phi_8081_ = vec3<f32>(_e4674, _e4678, _e4682);
 } else {
 let _e4684 = (_e4674 + 0.5f);
 let _e4686 = select(0f, _e4684, (_e4684 > 0f));
@@ -1681,9 +1693,9 @@ let _e4718 = (_e4682 + 0.5f);
 let _e4720 = select(0f, _e4718, (_e4718 > 0f));
 let _e4722 = select(_e632, _e4720, (_e4720 < _e632));
 let _e4729 = select(0i, select(select(i32(_e4722), i32(-2147483648), (_e4722 < -2147483600f)), 2147483647i, (_e4722 > 2147483500f)), (_e4722 == _e4722));
-phi_8080_ = vec3<f32>(f32((_e4695 - select(0i, 1i, (_e4688 < f32(_e4695))))), f32((_e4712 - select(0i, 1i, (_e4705 < f32(_e4712))))), f32((_e4729 - select(0i, 1i, (_e4722 < f32(_e4729))))));
+phi_8081_ = vec3<f32>(f32((_e4695 - select(0i, 1i, (_e4688 < f32(_e4695))))), f32((_e4712 - select(0i, 1i, (_e4705 < f32(_e4712))))), f32((_e4729 - select(0i, 1i, (_e4722 < f32(_e4729))))));
 }
-let _e4737 = phi_8080_;
+let _e4737 = phi_8081_;
 let _e4740 = select(-1f, _e4737.x, (_e4737.x > -1f));
 let _e4742 = select(_e574, _e4740, (_e4740 < _e574));
 let _e4749 = select(0i, select(select(i32(_e4742), i32(-2147483648), (_e4742 < -2147483600f)), 2147483647i, (_e4742 > 2147483500f)), (_e4742 == _e4742));
@@ -1707,7 +1719,7 @@ let _e4821 = (select(0i, _e4769, (_e4769 > 0i)) * _e3031);
 let _e4822 = (select(_e3044, _e4788, (_e4788 < _e3044)) * _e3031);
 let _e4823 = (select(0i, _e4785, (_e4785 > 0i)) * _e3036);
 let _e4824 = (select(_e3057, _e4793, (_e4793 < _e3057)) * _e3036);
-local = type_28(array<i32, 4>(_e4808, _e4808, _e4808, _e4808), array<u32, 6>(bitcast<u32>(((_e4798 - _e4808) * 8i)), bitcast<u32>(((select(0i, _e4753, (_e4753 > 0i)) - _e4808) * 8i)), bitcast<u32>(((select(_e3070, _e4801, (_e4801 < _e3070)) - _e4808) * 8i)), bitcast<u32>(((select(_e3070, _e4804, (_e4804 < _e3070)) - _e4808) * 8i)), 0u, 0u));
+local = type_29(array<i32, 4>(_e4808, _e4808, _e4808, _e4808), array<u32, 6>(bitcast<u32>(((_e4798 - _e4808) * 8i)), bitcast<u32>(((select(0i, _e4753, (_e4753 > 0i)) - _e4808) * 8i)), bitcast<u32>(((select(_e3070, _e4801, (_e4801 < _e3070)) - _e4808) * 8i)), bitcast<u32>(((select(_e3070, _e4804, (_e4804 < _e3070)) - _e4808) * 8i)), 0u, 0u));
 local_1 = (_e4737 - vec3<f32>(f32(_e4753), f32(_e4769), f32(_e4785)));
 let _e4837 = local.member[0u];
 let _e4838 = ((_e4823 + _e4821) + _e4837);
@@ -1775,43 +1787,43 @@ let _e5059 = (((_e4946 + (((_e4997 + (((_e5037 + ((f32(bitcast<i32>(((_e5030 >> 
 let _e5061 = select(_e3350, _e5059, (_e5059 > _e3350));
 let _e5063 = select(1e9f, _e5061, (_e5061 < 1e9f));
 if _e687 {
-phi_8615_ = (_e5063 > _e4643);
+phi_8616_ = (_e5063 > _e4643);
 } else {
-phi_8615_ = (_e5063 < _e4643);
+phi_8616_ = (_e5063 < _e4643);
 }
-let _e5067 = phi_8615_;
+let _e5067 = phi_8616_;
 let _e5068 = (_e1116 && _e5067);
-phi_8625_ = select(select(select(select(select(_e373[8], _e2887, _e3362), _e3372, _e3788), _e3799, _e4215), _e4226, _e4642), _e4652, _e5068);
-phi_8626_ = select(_e4643, _e5063, _e5068);
+phi_8626_ = select(select(select(select(select(_e373[8], _e2887, _e3362), _e3372, _e3788), _e3799, _e4215), _e4226, _e4642), _e4652, _e5068);
+phi_8627_ = select(_e4643, _e5063, _e5068);
 }
-let _e5072 = phi_8625_;
-let _e5074 = phi_8626_;
-phi_8644_ = array<f32, 23>(_e373[0], _e373[1], _e373[2], _e373[3], _e373[4], _e373[5], select(_e373[6], _e5074, _e1116), _e373[7], select(_e373[8], _e5072, _e1116), _e373[9], _e373[10], _e373[11], _e373[12], _e373[13], _e373[14], _e373[15], _e373[16], select(_e373[17], _e414, _e1116), _e373[18], _e373[19], _e373[20], _e373[21], _e373[22]);
+let _e5072 = phi_8626_;
+let _e5074 = phi_8627_;
+phi_8645_ = array<f32, 23>(_e373[0], _e373[1], _e373[2], _e373[3], _e373[4], _e373[5], select(_e373[6], _e5074, _e1116), _e373[7], select(_e373[8], _e5072, _e1116), _e373[9], _e373[10], _e373[11], _e373[12], _e373[13], _e373[14], _e373[15], _e373[16], select(_e373[17], _e414, _e1116), _e373[18], _e373[19], _e373[20], _e373[21], _e373[22]);
 } else {
-phi_8644_ = _e373;
+phi_8645_ = _e373;
 }
-let _e5080 = phi_8644_;
-phi_630_ = (_e369 + 1u);
-phi_633_ = select(_e371, true, _e745);
-phi_635_ = _e5080;
+let _e5080 = phi_8645_;
+phi_631_ = (_e369 + 1u);
+phi_634_ = select(_e371, true, _e745);
+phi_636_ = _e5080;
 } else {
-phi_630_ = u32();
-phi_633_ = bool();
-phi_635_ = array<f32, 23>();
+phi_631_ = u32();
+phi_634_ = bool();
+phi_636_ = array<f32, 23>();
 }
-let _e5084 = phi_630_;
-let _e5086 = phi_633_;
-let _e5088 = phi_635_;
+let _e5084 = phi_631_;
+let _e5086 = phi_634_;
+let _e5088 = phi_636_;
 continue;
 continuing {
-phi_629_ = _e5084;
-phi_632_ = _e5086;
-phi_634_ = _e5088;
-phi_8747_ = false;
+phi_630_ = _e5084;
+phi_633_ = _e5086;
+phi_635_ = _e5088;
+phi_8748_ = false;
 break if !(_e374);
 }
 }
-let _e5091 = phi_8747_;
+let _e5091 = phi_8748_;
 if _e5091 {
 break;
 }

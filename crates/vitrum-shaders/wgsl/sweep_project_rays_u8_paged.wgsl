@@ -121,6 +121,18 @@ member: type_8,
 member_1: u32,
 }
 struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: type_7,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+}
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: u32,
@@ -135,7 +147,7 @@ member_10: f32,
 member_11: f32,
 member_12: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_3,
@@ -156,83 +168,83 @@ member_16: type_19,
 member_17: type_19,
 member_18: type_19,
 member_19: type_19,
-member_20: type_7,
+member_20: type_20,
 member_21: f32,
 member_22: f32,
-member_23: type_20,
+member_23: type_21,
 }
-struct type_23 {
+struct type_24 {
 member: array<u32>,
 }
-struct type_25 {
+struct type_26 {
 member: array<f32>,
 }
-struct type_28 {
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: f32,
 }
-struct type_33 {
-member: array<type_21>,
+struct type_34 {
+member: array<type_22>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(0)
-var<storage> global_2: type_33;
+var<storage> global_2: type_34;
 @group(0) @binding(3)
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage, read_write> global_4: type_25;
+var<storage, read_write> global_4: type_26;
 fn function_() {
-var local: type_28;
+var local: type_29;
 var local_1: vec3<f32>;
-var local_2: type_28;
+var local_2: type_29;
 var local_3: vec3<f32>;
-var local_4: type_28;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_28;
+var local_6: type_29;
 var local_7: vec3<f32>;
-var local_8: type_28;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_28;
+var local_10: type_29;
 var local_11: vec3<f32>;
-var local_12: type_28;
+var local_12: type_29;
 var local_13: vec3<f32>;
-var local_14: type_28;
+var local_14: type_29;
 var local_15: vec3<f32>;
-var local_16: type_28;
+var local_16: type_29;
 var local_17: vec3<f32>;
-var phi_631_: u32;
-var phi_634_: bool;
-var phi_636_: array<f32, 23>;
-var phi_1000_: bool;
-var phi_1896_: type_31;
-var phi_2117_: vec3<f32>;
-var phi_2790_: vec3<f32>;
-var phi_3463_: vec3<f32>;
-var phi_4136_: vec3<f32>;
-var phi_4637_: f32;
-var phi_4845_: vec3<f32>;
-var phi_5323_: bool;
-var phi_5536_: vec3<f32>;
-var phi_6011_: bool;
-var phi_6225_: vec3<f32>;
-var phi_6700_: bool;
-var phi_6914_: vec3<f32>;
-var phi_7389_: bool;
-var phi_7602_: vec3<f32>;
-var phi_8077_: bool;
-var phi_8087_: f32;
-var phi_8088_: f32;
-var phi_8106_: array<f32, 23>;
 var phi_632_: u32;
 var phi_635_: bool;
 var phi_637_: array<f32, 23>;
-var phi_8209_: bool;
+var phi_1001_: bool;
+var phi_1897_: type_32;
+var phi_2118_: vec3<f32>;
+var phi_2791_: vec3<f32>;
+var phi_3464_: vec3<f32>;
+var phi_4137_: vec3<f32>;
+var phi_4638_: f32;
+var phi_4846_: vec3<f32>;
+var phi_5324_: bool;
+var phi_5537_: vec3<f32>;
+var phi_6012_: bool;
+var phi_6226_: vec3<f32>;
+var phi_6701_: bool;
+var phi_6915_: vec3<f32>;
+var phi_7390_: bool;
+var phi_7603_: vec3<f32>;
+var phi_8078_: bool;
+var phi_8088_: f32;
+var phi_8089_: f32;
+var phi_8107_: array<f32, 23>;
+var phi_633_: u32;
+var phi_636_: bool;
+var phi_638_: array<f32, 23>;
+var phi_8210_: bool;
 var local_18: bool;
 var local_19: array<f32, 23>;
 var local_20: array<f32, 23>;
@@ -366,13 +378,13 @@ let _e359 = ((22u * _e114) + _e116);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e119, _e360, (_e360 < _e119));
 let _e368 = global_4.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-phi_631_ = 0u;
-phi_634_ = false;
-phi_636_ = array<f32, 23>(_e127, _e137, _e148, _e159, _e170, _e181, _e192, _e203, _e214, _e225, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
+phi_632_ = 0u;
+phi_635_ = false;
+phi_637_ = array<f32, 23>(_e127, _e137, _e148, _e159, _e170, _e181, _e192, _e203, _e214, _e225, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
 loop {
-let _e371 = phi_631_;
-let _e373 = phi_634_;
-let _e375 = phi_636_;
+let _e371 = phi_632_;
+let _e373 = phi_635_;
+let _e375 = phi_637_;
 local_18 = _e373;
 local_19 = _e375;
 local_20 = _e375;
@@ -401,7 +413,7 @@ let _e376 = (_e371 < _e85);
 if _e376 {
 if _e376 {
 } else {
-phi_8209_ = true;
+phi_8210_ = true;
 break;
 }
 let _e380 = global_2.member[_e371].member;
@@ -476,11 +488,11 @@ let _e687 = bitcast<f32>(_e686);
 let _e688 = (_e375[17] == -1.2676506e30f);
 let _e689 = (_e380.member_2 == 0u);
 if _e689 {
-phi_1000_ = (_e687 <= _e375[6]);
+phi_1001_ = (_e687 <= _e375[6]);
 } else {
-phi_1000_ = (_e687 >= _e375[6]);
+phi_1001_ = (_e687 >= _e375[6]);
 }
-let _e693 = phi_1000_;
+let _e693 = phi_1001_;
 let _e695 = !(_e688);
 let _e702 = global_2.member[_e371].member_1;
 let _e710 = (_e488 + 0.5f);
@@ -559,7 +571,7 @@ let _e919 = select(1f, _e912, (_e914 && (_e897 <= 0f)));
 let _e921 = select(_e916, _e894, (_e894 > _e916));
 let _e923 = select(_e919, _e896, (_e896 < _e919));
 if _e740 {
-phi_1896_ = type_31(_e921, _e923);
+phi_1897_ = type_32(_e921, _e923);
 } else {
 let _e929 = global_2.member[_e371].member_16.member;
 let _e940 = ((((_e929.member.member * _e405) + (_e929.member.member_1 * _e407)) + (_e929.member.member_2 * _e395)) + _e929.member_1);
@@ -607,9 +619,9 @@ let _e1101 = select(1f, _e1099, (_e1099 < 1f));
 let _e1103 = (_e1087 > 0f);
 let _e1105 = select(0f, select(_e1101, 2f, _e1103), (_e1081 > 0f));
 let _e1108 = select(1f, _e1101, (_e1103 && (_e1081 <= 0f)));
-phi_1896_ = type_31(select(_e1105, _e1063, (_e1063 > _e1105)), select(_e1108, _e1065, (_e1065 < _e1108)));
+phi_1897_ = type_32(select(_e1105, _e1063, (_e1063 > _e1105)), select(_e1108, _e1065, (_e1065 < _e1108)));
 }
-let _e1115 = phi_1896_;
+let _e1115 = phi_1897_;
 let _e1118 = (_e1115.member_1 > _e1115.member);
 let _e1119 = (_e409 - _e405);
 let _e1120 = (_e411 - _e407);
@@ -632,7 +644,7 @@ let _e1162 = select(_e526, _e1160, (_e1160 < _e526));
 let _e1168 = global_2.member[_e371].member_8.member_15;
 let _e1169 = (_e1168 == 0u);
 if _e1169 {
-phi_2117_ = vec3<f32>(_e1154, _e1158, _e1162);
+phi_2118_ = vec3<f32>(_e1154, _e1158, _e1162);
 } else {
 let _e1170 = (_e1154 + 0.5f);
 let _e1172 = select(0f, _e1170, (_e1170 > 0f));
@@ -646,9 +658,9 @@ let _e1204 = (_e1162 + 0.5f);
 let _e1206 = select(0f, _e1204, (_e1204 > 0f));
 let _e1208 = select(_e634, _e1206, (_e1206 < _e634));
 let _e1215 = select(0i, select(select(i32(_e1208), i32(-2147483648), (_e1208 < -2147483600f)), 2147483647i, (_e1208 > 2147483500f)), (_e1208 == _e1208));
-phi_2117_ = vec3<f32>(f32((_e1181 - select(0i, 1i, (_e1174 < f32(_e1181))))), f32((_e1198 - select(0i, 1i, (_e1191 < f32(_e1198))))), f32((_e1215 - select(0i, 1i, (_e1208 < f32(_e1215))))));
+phi_2118_ = vec3<f32>(f32((_e1181 - select(0i, 1i, (_e1174 < f32(_e1181))))), f32((_e1198 - select(0i, 1i, (_e1191 < f32(_e1198))))), f32((_e1215 - select(0i, 1i, (_e1208 < f32(_e1215))))));
 }
-let _e1223 = phi_2117_;
+let _e1223 = phi_2118_;
 let _e1226 = select(-1f, _e1223.x, (_e1223.x > -1f));
 let _e1228 = select(_e576, _e1226, (_e1226 < _e576));
 let _e1235 = select(0i, select(select(i32(_e1228), i32(-2147483648), (_e1228 < -2147483600f)), 2147483647i, (_e1228 > 2147483500f)), (_e1228 == _e1228));
@@ -683,7 +695,7 @@ let _e1328 = (_e1323 + _e1327);
 let _e1329 = (_e1325 + _e1281);
 let _e1330 = (2i * _e1281);
 let _e1331 = (_e1325 + _e1330);
-local_16 = type_28(array<i32, 4>(_e1320, _e1320, _e1320, _e1320), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_16 = type_29(array<i32, 4>(_e1320, _e1320, _e1320, _e1320), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_17 = (_e1223 - vec3<f32>(f32(_e1239), f32(_e1255), f32(_e1271)));
 let _e1343 = local_16.member[0u];
 let _e1344 = ((_e1329 + _e1326) + _e1343);
@@ -766,7 +778,7 @@ let _e1615 = select(_e510, _e1613, (_e1613 < _e510));
 let _e1617 = select(_e520, _e1607, (_e1607 > _e520));
 let _e1619 = select(_e526, _e1617, (_e1617 < _e526));
 if _e1169 {
-phi_2790_ = vec3<f32>(_e1611, _e1615, _e1619);
+phi_2791_ = vec3<f32>(_e1611, _e1615, _e1619);
 } else {
 let _e1621 = (_e1611 + 0.5f);
 let _e1623 = select(0f, _e1621, (_e1621 > 0f));
@@ -780,9 +792,9 @@ let _e1655 = (_e1619 + 0.5f);
 let _e1657 = select(0f, _e1655, (_e1655 > 0f));
 let _e1659 = select(_e634, _e1657, (_e1657 < _e634));
 let _e1666 = select(0i, select(select(i32(_e1659), i32(-2147483648), (_e1659 < -2147483600f)), 2147483647i, (_e1659 > 2147483500f)), (_e1659 == _e1659));
-phi_2790_ = vec3<f32>(f32((_e1632 - select(0i, 1i, (_e1625 < f32(_e1632))))), f32((_e1649 - select(0i, 1i, (_e1642 < f32(_e1649))))), f32((_e1666 - select(0i, 1i, (_e1659 < f32(_e1666))))));
+phi_2791_ = vec3<f32>(f32((_e1632 - select(0i, 1i, (_e1625 < f32(_e1632))))), f32((_e1649 - select(0i, 1i, (_e1642 < f32(_e1649))))), f32((_e1666 - select(0i, 1i, (_e1659 < f32(_e1666))))));
 }
-let _e1674 = phi_2790_;
+let _e1674 = phi_2791_;
 let _e1677 = select(-1f, _e1674.x, (_e1674.x > -1f));
 let _e1679 = select(_e576, _e1677, (_e1677 < _e576));
 let _e1686 = select(0i, select(select(i32(_e1679), i32(-2147483648), (_e1679 < -2147483600f)), 2147483647i, (_e1679 > 2147483500f)), (_e1679 == _e1679));
@@ -808,7 +820,7 @@ let _e1751 = (_e1748 + _e1276);
 let _e1752 = (_e1748 + _e1327);
 let _e1753 = (_e1750 + _e1281);
 let _e1754 = (_e1750 + _e1330);
-local_14 = type_28(array<i32, 4>(_e1745, _e1745, _e1745, _e1745), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_14 = type_29(array<i32, 4>(_e1745, _e1745, _e1745, _e1745), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_15 = (_e1674 - vec3<f32>(f32(_e1690), f32(_e1706), f32(_e1722)));
 let _e1766 = local_14.member[0u];
 let _e1767 = ((_e1753 + _e1751) + _e1766);
@@ -888,7 +900,7 @@ let _e2027 = select(_e510, _e2025, (_e2025 < _e510));
 let _e2029 = select(_e520, _e2019, (_e2019 > _e520));
 let _e2031 = select(_e526, _e2029, (_e2029 < _e526));
 if _e1169 {
-phi_3463_ = vec3<f32>(_e2023, _e2027, _e2031);
+phi_3464_ = vec3<f32>(_e2023, _e2027, _e2031);
 } else {
 let _e2033 = (_e2023 + 0.5f);
 let _e2035 = select(0f, _e2033, (_e2033 > 0f));
@@ -902,9 +914,9 @@ let _e2067 = (_e2031 + 0.5f);
 let _e2069 = select(0f, _e2067, (_e2067 > 0f));
 let _e2071 = select(_e634, _e2069, (_e2069 < _e634));
 let _e2078 = select(0i, select(select(i32(_e2071), i32(-2147483648), (_e2071 < -2147483600f)), 2147483647i, (_e2071 > 2147483500f)), (_e2071 == _e2071));
-phi_3463_ = vec3<f32>(f32((_e2044 - select(0i, 1i, (_e2037 < f32(_e2044))))), f32((_e2061 - select(0i, 1i, (_e2054 < f32(_e2061))))), f32((_e2078 - select(0i, 1i, (_e2071 < f32(_e2078))))));
+phi_3464_ = vec3<f32>(f32((_e2044 - select(0i, 1i, (_e2037 < f32(_e2044))))), f32((_e2061 - select(0i, 1i, (_e2054 < f32(_e2061))))), f32((_e2078 - select(0i, 1i, (_e2071 < f32(_e2078))))));
 }
-let _e2086 = phi_3463_;
+let _e2086 = phi_3464_;
 let _e2089 = select(-1f, _e2086.x, (_e2086.x > -1f));
 let _e2091 = select(_e576, _e2089, (_e2089 < _e576));
 let _e2098 = select(0i, select(select(i32(_e2091), i32(-2147483648), (_e2091 < -2147483600f)), 2147483647i, (_e2091 > 2147483500f)), (_e2091 == _e2091));
@@ -930,7 +942,7 @@ let _e2163 = (_e2160 + _e1276);
 let _e2164 = (_e2160 + _e1327);
 let _e2165 = (_e2162 + _e1281);
 let _e2166 = (_e2162 + _e1330);
-local_12 = type_28(array<i32, 4>(_e2157, _e2157, _e2157, _e2157), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_12 = type_29(array<i32, 4>(_e2157, _e2157, _e2157, _e2157), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_13 = (_e2086 - vec3<f32>(f32(_e2102), f32(_e2118), f32(_e2134)));
 let _e2178 = local_12.member[0u];
 let _e2179 = ((_e2165 + _e2163) + _e2178);
@@ -1010,7 +1022,7 @@ let _e2439 = select(_e510, _e2437, (_e2437 < _e510));
 let _e2441 = select(_e520, _e2431, (_e2431 > _e520));
 let _e2443 = select(_e526, _e2441, (_e2441 < _e526));
 if _e1169 {
-phi_4136_ = vec3<f32>(_e2435, _e2439, _e2443);
+phi_4137_ = vec3<f32>(_e2435, _e2439, _e2443);
 } else {
 let _e2445 = (_e2435 + 0.5f);
 let _e2447 = select(0f, _e2445, (_e2445 > 0f));
@@ -1024,9 +1036,9 @@ let _e2479 = (_e2443 + 0.5f);
 let _e2481 = select(0f, _e2479, (_e2479 > 0f));
 let _e2483 = select(_e634, _e2481, (_e2481 < _e634));
 let _e2490 = select(0i, select(select(i32(_e2483), i32(-2147483648), (_e2483 < -2147483600f)), 2147483647i, (_e2483 > 2147483500f)), (_e2483 == _e2483));
-phi_4136_ = vec3<f32>(f32((_e2456 - select(0i, 1i, (_e2449 < f32(_e2456))))), f32((_e2473 - select(0i, 1i, (_e2466 < f32(_e2473))))), f32((_e2490 - select(0i, 1i, (_e2483 < f32(_e2490))))));
+phi_4137_ = vec3<f32>(f32((_e2456 - select(0i, 1i, (_e2449 < f32(_e2456))))), f32((_e2473 - select(0i, 1i, (_e2466 < f32(_e2473))))), f32((_e2490 - select(0i, 1i, (_e2483 < f32(_e2490))))));
 }
-let _e2498 = phi_4136_;
+let _e2498 = phi_4137_;
 let _e2501 = select(-1f, _e2498.x, (_e2498.x > -1f));
 let _e2503 = select(_e576, _e2501, (_e2501 < _e576));
 let _e2510 = select(0i, select(select(i32(_e2503), i32(-2147483648), (_e2503 < -2147483600f)), 2147483647i, (_e2503 > 2147483500f)), (_e2503 == _e2503));
@@ -1052,7 +1064,7 @@ let _e2575 = (_e2572 + _e1276);
 let _e2576 = (_e2572 + _e1327);
 let _e2577 = (_e2574 + _e1281);
 let _e2578 = (_e2574 + _e1330);
-local_10 = type_28(array<i32, 4>(_e2569, _e2569, _e2569, _e2569), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_10 = type_29(array<i32, 4>(_e2569, _e2569, _e2569, _e2569), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_11 = (_e2498 - vec3<f32>(f32(_e2514), f32(_e2530), f32(_e2546)));
 let _e2590 = local_10.member[0u];
 let _e2591 = ((_e2577 + _e2575) + _e2590);
@@ -1120,15 +1132,15 @@ let _e2812 = (((_e2699 + (((_e2750 + (((_e2790 + ((f32(bitcast<i32>(((_e2783 >> 
 let _e2814 = select(_e1576, _e2812, (_e2812 > _e1576));
 let _e2821 = (((_e1119 * _e1119) + (_e1120 * _e1120)) + (_e1121 * _e1121));
 let _e2826 = select(0f, (sqrt(select(0f, _e2821, (_e2821 > 0f))) * _e1124), _e1118);
-phi_8087_ = (_e375[8] + _e2826);
-phi_8088_ = (_e375[6] + ((((select(1e9f, _e1578, (_e1578 < 1e9f)) + select(1e9f, _e1990, (_e1990 < 1e9f))) + (select(1e9f, _e2402, (_e2402 < 1e9f)) + select(1e9f, _e2814, (_e2814 < 1e9f)))) * 0.25f) * _e2826));
+phi_8088_ = (_e375[8] + _e2826);
+phi_8089_ = (_e375[6] + ((((select(1e9f, _e1578, (_e1578 < 1e9f)) + select(1e9f, _e1990, (_e1990 < 1e9f))) + (select(1e9f, _e2402, (_e2402 < 1e9f)) + select(1e9f, _e2814, (_e2814 < 1e9f)))) * 0.25f) * _e2826));
 } else {
 if _e689 {
-phi_4637_ = -(2e9f);
+phi_4638_ = -(2e9f);
 } else {
-phi_4637_ = 2e9f;
+phi_4638_ = 2e9f;
 }
-let _e2836 = phi_4637_;
+let _e2836 = phi_4638_;
 let _e2837 = select(_e375[6], _e2836, _e688);
 let _e2838 = (_e1115.member_1 - _e1115.member);
 let _e2840 = (_e1115.member + (_e2838 * 0f));
@@ -1147,7 +1159,7 @@ let _e2876 = select(_e526, _e2874, (_e2874 < _e526));
 let _e2882 = global_2.member[_e371].member_8.member_15;
 let _e2883 = (_e2882 == 0u);
 if _e2883 {
-phi_4845_ = vec3<f32>(_e2868, _e2872, _e2876);
+phi_4846_ = vec3<f32>(_e2868, _e2872, _e2876);
 } else {
 let _e2884 = (_e2868 + 0.5f);
 let _e2886 = select(0f, _e2884, (_e2884 > 0f));
@@ -1161,9 +1173,9 @@ let _e2918 = (_e2876 + 0.5f);
 let _e2920 = select(0f, _e2918, (_e2918 > 0f));
 let _e2922 = select(_e634, _e2920, (_e2920 < _e634));
 let _e2929 = select(0i, select(select(i32(_e2922), i32(-2147483648), (_e2922 < -2147483600f)), 2147483647i, (_e2922 > 2147483500f)), (_e2922 == _e2922));
-phi_4845_ = vec3<f32>(f32((_e2895 - select(0i, 1i, (_e2888 < f32(_e2895))))), f32((_e2912 - select(0i, 1i, (_e2905 < f32(_e2912))))), f32((_e2929 - select(0i, 1i, (_e2922 < f32(_e2929))))));
+phi_4846_ = vec3<f32>(f32((_e2895 - select(0i, 1i, (_e2888 < f32(_e2895))))), f32((_e2912 - select(0i, 1i, (_e2905 < f32(_e2912))))), f32((_e2929 - select(0i, 1i, (_e2922 < f32(_e2929))))));
 }
-let _e2937 = phi_4845_;
+let _e2937 = phi_4846_;
 let _e2940 = select(-1f, _e2937.x, (_e2937.x > -1f));
 let _e2942 = select(_e576, _e2940, (_e2940 < _e576));
 let _e2949 = select(0i, select(select(i32(_e2942), i32(-2147483648), (_e2942 < -2147483600f)), 2147483647i, (_e2942 > 2147483500f)), (_e2942 == _e2942));
@@ -1198,7 +1210,7 @@ let _e3042 = (_e3037 + _e3041);
 let _e3043 = (_e3039 + _e2995);
 let _e3044 = (2i * _e2995);
 let _e3045 = (_e3039 + _e3044);
-local_8 = type_28(array<i32, 4>(_e3034, _e3034, _e3034, _e3034), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_8 = type_29(array<i32, 4>(_e3034, _e3034, _e3034, _e3034), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_9 = (_e2937 - vec3<f32>(f32(_e2953), f32(_e2969), f32(_e2985)));
 let _e3057 = local_8.member[0u];
 let _e3058 = ((_e3043 + _e3040) + _e3057);
@@ -1269,11 +1281,11 @@ let _e3290 = -(1e9f);
 let _e3292 = select(_e3290, _e3289, (_e3289 > _e3290));
 let _e3294 = select(1e9f, _e3292, (_e3292 < 1e9f));
 if _e689 {
-phi_5323_ = (_e3294 > _e2837);
+phi_5324_ = (_e3294 > _e2837);
 } else {
-phi_5323_ = (_e3294 < _e2837);
+phi_5324_ = (_e3294 < _e2837);
 }
-let _e3301 = phi_5323_;
+let _e3301 = phi_5324_;
 let _e3302 = ((_e1118 && (_e688 || (_e1115.member > 0f))) && _e3301);
 let _e3303 = select(_e2837, _e3294, _e3302);
 let _e3306 = (_e1115.member + (_e2838 * 0.25f));
@@ -1290,7 +1302,7 @@ let _e3338 = select(_e510, _e3336, (_e3336 < _e510));
 let _e3340 = select(_e520, _e3330, (_e3330 > _e520));
 let _e3342 = select(_e526, _e3340, (_e3340 < _e526));
 if _e2883 {
-phi_5536_ = vec3<f32>(_e3334, _e3338, _e3342);
+phi_5537_ = vec3<f32>(_e3334, _e3338, _e3342);
 } else {
 let _e3344 = (_e3334 + 0.5f);
 let _e3346 = select(0f, _e3344, (_e3344 > 0f));
@@ -1304,9 +1316,9 @@ let _e3378 = (_e3342 + 0.5f);
 let _e3380 = select(0f, _e3378, (_e3378 > 0f));
 let _e3382 = select(_e634, _e3380, (_e3380 < _e634));
 let _e3389 = select(0i, select(select(i32(_e3382), i32(-2147483648), (_e3382 < -2147483600f)), 2147483647i, (_e3382 > 2147483500f)), (_e3382 == _e3382));
-phi_5536_ = vec3<f32>(f32((_e3355 - select(0i, 1i, (_e3348 < f32(_e3355))))), f32((_e3372 - select(0i, 1i, (_e3365 < f32(_e3372))))), f32((_e3389 - select(0i, 1i, (_e3382 < f32(_e3389))))));
+phi_5537_ = vec3<f32>(f32((_e3355 - select(0i, 1i, (_e3348 < f32(_e3355))))), f32((_e3372 - select(0i, 1i, (_e3365 < f32(_e3372))))), f32((_e3389 - select(0i, 1i, (_e3382 < f32(_e3389))))));
 }
-let _e3397 = phi_5536_;
+let _e3397 = phi_5537_;
 let _e3400 = select(-1f, _e3397.x, (_e3397.x > -1f));
 let _e3402 = select(_e576, _e3400, (_e3400 < _e576));
 let _e3409 = select(0i, select(select(i32(_e3402), i32(-2147483648), (_e3402 < -2147483600f)), 2147483647i, (_e3402 > 2147483500f)), (_e3402 == _e3402));
@@ -1332,7 +1344,7 @@ let _e3474 = (_e3471 + _e2990);
 let _e3475 = (_e3471 + _e3041);
 let _e3476 = (_e3473 + _e2995);
 let _e3477 = (_e3473 + _e3044);
-local_6 = type_28(array<i32, 4>(_e3468, _e3468, _e3468, _e3468), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_6 = type_29(array<i32, 4>(_e3468, _e3468, _e3468, _e3468), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_7 = (_e3397 - vec3<f32>(f32(_e3413), f32(_e3429), f32(_e3445)));
 let _e3489 = local_6.member[0u];
 let _e3490 = ((_e3476 + _e3474) + _e3489);
@@ -1400,11 +1412,11 @@ let _e3711 = (((_e3598 + (((_e3649 + (((_e3689 + ((f32(bitcast<i32>(((_e3682 >> 
 let _e3713 = select(_e3290, _e3711, (_e3711 > _e3290));
 let _e3715 = select(1e9f, _e3713, (_e3713 < 1e9f));
 if _e689 {
-phi_6011_ = (_e3715 > _e3303);
+phi_6012_ = (_e3715 > _e3303);
 } else {
-phi_6011_ = (_e3715 < _e3303);
+phi_6012_ = (_e3715 < _e3303);
 }
-let _e3719 = phi_6011_;
+let _e3719 = phi_6012_;
 let _e3720 = (_e1118 && _e3719);
 let _e3721 = select(_e3303, _e3715, _e3720);
 let _e3725 = (_e1115.member + (_e2838 * (2f * 0.25f)));
@@ -1421,7 +1433,7 @@ let _e3757 = select(_e510, _e3755, (_e3755 < _e510));
 let _e3759 = select(_e520, _e3749, (_e3749 > _e520));
 let _e3761 = select(_e526, _e3759, (_e3759 < _e526));
 if _e2883 {
-phi_6225_ = vec3<f32>(_e3753, _e3757, _e3761);
+phi_6226_ = vec3<f32>(_e3753, _e3757, _e3761);
 } else {
 let _e3763 = (_e3753 + 0.5f);
 let _e3765 = select(0f, _e3763, (_e3763 > 0f));
@@ -1435,9 +1447,9 @@ let _e3797 = (_e3761 + 0.5f);
 let _e3799 = select(0f, _e3797, (_e3797 > 0f));
 let _e3801 = select(_e634, _e3799, (_e3799 < _e634));
 let _e3808 = select(0i, select(select(i32(_e3801), i32(-2147483648), (_e3801 < -2147483600f)), 2147483647i, (_e3801 > 2147483500f)), (_e3801 == _e3801));
-phi_6225_ = vec3<f32>(f32((_e3774 - select(0i, 1i, (_e3767 < f32(_e3774))))), f32((_e3791 - select(0i, 1i, (_e3784 < f32(_e3791))))), f32((_e3808 - select(0i, 1i, (_e3801 < f32(_e3808))))));
+phi_6226_ = vec3<f32>(f32((_e3774 - select(0i, 1i, (_e3767 < f32(_e3774))))), f32((_e3791 - select(0i, 1i, (_e3784 < f32(_e3791))))), f32((_e3808 - select(0i, 1i, (_e3801 < f32(_e3808))))));
 }
-let _e3816 = phi_6225_;
+let _e3816 = phi_6226_;
 let _e3819 = select(-1f, _e3816.x, (_e3816.x > -1f));
 let _e3821 = select(_e576, _e3819, (_e3819 < _e576));
 let _e3828 = select(0i, select(select(i32(_e3821), i32(-2147483648), (_e3821 < -2147483600f)), 2147483647i, (_e3821 > 2147483500f)), (_e3821 == _e3821));
@@ -1463,7 +1475,7 @@ let _e3893 = (_e3890 + _e2990);
 let _e3894 = (_e3890 + _e3041);
 let _e3895 = (_e3892 + _e2995);
 let _e3896 = (_e3892 + _e3044);
-local_4 = type_28(array<i32, 4>(_e3887, _e3887, _e3887, _e3887), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_4 = type_29(array<i32, 4>(_e3887, _e3887, _e3887, _e3887), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_5 = (_e3816 - vec3<f32>(f32(_e3832), f32(_e3848), f32(_e3864)));
 let _e3908 = local_4.member[0u];
 let _e3909 = ((_e3895 + _e3893) + _e3908);
@@ -1531,11 +1543,11 @@ let _e4130 = (((_e4017 + (((_e4068 + (((_e4108 + ((f32(bitcast<i32>(((_e4101 >> 
 let _e4132 = select(_e3290, _e4130, (_e4130 > _e3290));
 let _e4134 = select(1e9f, _e4132, (_e4132 < 1e9f));
 if _e689 {
-phi_6700_ = (_e4134 > _e3721);
+phi_6701_ = (_e4134 > _e3721);
 } else {
-phi_6700_ = (_e4134 < _e3721);
+phi_6701_ = (_e4134 < _e3721);
 }
-let _e4138 = phi_6700_;
+let _e4138 = phi_6701_;
 let _e4139 = (_e1118 && _e4138);
 let _e4140 = select(_e3721, _e4134, _e4139);
 let _e4144 = (_e1115.member + (_e2838 * (3f * 0.25f)));
@@ -1552,7 +1564,7 @@ let _e4176 = select(_e510, _e4174, (_e4174 < _e510));
 let _e4178 = select(_e520, _e4168, (_e4168 > _e520));
 let _e4180 = select(_e526, _e4178, (_e4178 < _e526));
 if _e2883 {
-phi_6914_ = vec3<f32>(_e4172, _e4176, _e4180);
+phi_6915_ = vec3<f32>(_e4172, _e4176, _e4180);
 } else {
 let _e4182 = (_e4172 + 0.5f);
 let _e4184 = select(0f, _e4182, (_e4182 > 0f));
@@ -1566,9 +1578,9 @@ let _e4216 = (_e4180 + 0.5f);
 let _e4218 = select(0f, _e4216, (_e4216 > 0f));
 let _e4220 = select(_e634, _e4218, (_e4218 < _e634));
 let _e4227 = select(0i, select(select(i32(_e4220), i32(-2147483648), (_e4220 < -2147483600f)), 2147483647i, (_e4220 > 2147483500f)), (_e4220 == _e4220));
-phi_6914_ = vec3<f32>(f32((_e4193 - select(0i, 1i, (_e4186 < f32(_e4193))))), f32((_e4210 - select(0i, 1i, (_e4203 < f32(_e4210))))), f32((_e4227 - select(0i, 1i, (_e4220 < f32(_e4227))))));
+phi_6915_ = vec3<f32>(f32((_e4193 - select(0i, 1i, (_e4186 < f32(_e4193))))), f32((_e4210 - select(0i, 1i, (_e4203 < f32(_e4210))))), f32((_e4227 - select(0i, 1i, (_e4220 < f32(_e4227))))));
 }
-let _e4235 = phi_6914_;
+let _e4235 = phi_6915_;
 let _e4238 = select(-1f, _e4235.x, (_e4235.x > -1f));
 let _e4240 = select(_e576, _e4238, (_e4238 < _e576));
 let _e4247 = select(0i, select(select(i32(_e4240), i32(-2147483648), (_e4240 < -2147483600f)), 2147483647i, (_e4240 > 2147483500f)), (_e4240 == _e4240));
@@ -1594,7 +1606,7 @@ let _e4312 = (_e4309 + _e2990);
 let _e4313 = (_e4309 + _e3041);
 let _e4314 = (_e4311 + _e2995);
 let _e4315 = (_e4311 + _e3044);
-local_2 = type_28(array<i32, 4>(_e4306, _e4306, _e4306, _e4306), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_2 = type_29(array<i32, 4>(_e4306, _e4306, _e4306, _e4306), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_3 = (_e4235 - vec3<f32>(f32(_e4251), f32(_e4267), f32(_e4283)));
 let _e4327 = local_2.member[0u];
 let _e4328 = ((_e4314 + _e4312) + _e4327);
@@ -1662,11 +1674,11 @@ let _e4549 = (((_e4436 + (((_e4487 + (((_e4527 + ((f32(bitcast<i32>(((_e4520 >> 
 let _e4551 = select(_e3290, _e4549, (_e4549 > _e3290));
 let _e4553 = select(1e9f, _e4551, (_e4551 < 1e9f));
 if _e689 {
-phi_7389_ = (_e4553 > _e4140);
+phi_7390_ = (_e4553 > _e4140);
 } else {
-phi_7389_ = (_e4553 < _e4140);
+phi_7390_ = (_e4553 < _e4140);
 }
-let _e4557 = phi_7389_;
+let _e4557 = phi_7390_;
 let _e4558 = (_e1118 && _e4557);
 let _e4559 = select(_e4140, _e4553, _e4558);
 let _e4562 = (_e1115.member + (_e2838 * 1f));
@@ -1683,7 +1695,7 @@ let _e4594 = select(_e510, _e4592, (_e4592 < _e510));
 let _e4596 = select(_e520, _e4586, (_e4586 > _e520));
 let _e4598 = select(_e526, _e4596, (_e4596 < _e526));
 if _e2883 {
-phi_7602_ = vec3<f32>(_e4590, _e4594, _e4598);
+phi_7603_ = vec3<f32>(_e4590, _e4594, _e4598);
 } else {
 let _e4600 = (_e4590 + 0.5f);
 let _e4602 = select(0f, _e4600, (_e4600 > 0f));
@@ -1697,9 +1709,9 @@ let _e4634 = (_e4598 + 0.5f);
 let _e4636 = select(0f, _e4634, (_e4634 > 0f));
 let _e4638 = select(_e634, _e4636, (_e4636 < _e634));
 let _e4645 = select(0i, select(select(i32(_e4638), i32(-2147483648), (_e4638 < -2147483600f)), 2147483647i, (_e4638 > 2147483500f)), (_e4638 == _e4638));
-phi_7602_ = vec3<f32>(f32((_e4611 - select(0i, 1i, (_e4604 < f32(_e4611))))), f32((_e4628 - select(0i, 1i, (_e4621 < f32(_e4628))))), f32((_e4645 - select(0i, 1i, (_e4638 < f32(_e4645))))));
+phi_7603_ = vec3<f32>(f32((_e4611 - select(0i, 1i, (_e4604 < f32(_e4611))))), f32((_e4628 - select(0i, 1i, (_e4621 < f32(_e4628))))), f32((_e4645 - select(0i, 1i, (_e4638 < f32(_e4645))))));
 }
-let _e4653 = phi_7602_;
+let _e4653 = phi_7603_;
 let _e4656 = select(-1f, _e4653.x, (_e4653.x > -1f));
 let _e4658 = select(_e576, _e4656, (_e4656 < _e576));
 let _e4665 = select(0i, select(select(i32(_e4658), i32(-2147483648), (_e4658 < -2147483600f)), 2147483647i, (_e4658 > 2147483500f)), (_e4658 == _e4658));
@@ -1725,7 +1737,7 @@ let _e4730 = (_e4727 + _e2990);
 let _e4731 = (_e4727 + _e3041);
 let _e4732 = (_e4729 + _e2995);
 let _e4733 = (_e4729 + _e3044);
-local = type_28(array<i32, 4>(_e4724, _e4724, _e4724, _e4724), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local = type_29(array<i32, 4>(_e4724, _e4724, _e4724, _e4724), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_1 = (_e4653 - vec3<f32>(f32(_e4669), f32(_e4685), f32(_e4701)));
 let _e4745 = local.member[0u];
 let _e4746 = ((_e4732 + _e4730) + _e4745);
@@ -1793,43 +1805,43 @@ let _e4967 = (((_e4854 + (((_e4905 + (((_e4945 + ((f32(bitcast<i32>(((_e4938 >> 
 let _e4969 = select(_e3290, _e4967, (_e4967 > _e3290));
 let _e4971 = select(1e9f, _e4969, (_e4969 < 1e9f));
 if _e689 {
-phi_8077_ = (_e4971 > _e4559);
+phi_8078_ = (_e4971 > _e4559);
 } else {
-phi_8077_ = (_e4971 < _e4559);
+phi_8078_ = (_e4971 < _e4559);
 }
-let _e4975 = phi_8077_;
+let _e4975 = phi_8078_;
 let _e4976 = (_e1118 && _e4975);
-phi_8087_ = select(select(select(select(select(_e375[8], _e2846, _e3302), _e3312, _e3720), _e3731, _e4139), _e4150, _e4558), _e4568, _e4976);
-phi_8088_ = select(_e4559, _e4971, _e4976);
+phi_8088_ = select(select(select(select(select(_e375[8], _e2846, _e3302), _e3312, _e3720), _e3731, _e4139), _e4150, _e4558), _e4568, _e4976);
+phi_8089_ = select(_e4559, _e4971, _e4976);
 }
-let _e4980 = phi_8087_;
-let _e4982 = phi_8088_;
-phi_8106_ = array<f32, 23>(_e375[0], _e375[1], _e375[2], _e375[3], _e375[4], _e375[5], select(_e375[6], _e4982, _e1118), _e375[7], select(_e375[8], _e4980, _e1118), _e375[9], _e375[10], _e375[11], _e375[12], _e375[13], _e375[14], _e375[15], _e375[16], select(_e375[17], _e416, _e1118), _e375[18], _e375[19], _e375[20], _e375[21], _e375[22]);
+let _e4980 = phi_8088_;
+let _e4982 = phi_8089_;
+phi_8107_ = array<f32, 23>(_e375[0], _e375[1], _e375[2], _e375[3], _e375[4], _e375[5], select(_e375[6], _e4982, _e1118), _e375[7], select(_e375[8], _e4980, _e1118), _e375[9], _e375[10], _e375[11], _e375[12], _e375[13], _e375[14], _e375[15], _e375[16], select(_e375[17], _e416, _e1118), _e375[18], _e375[19], _e375[20], _e375[21], _e375[22]);
 } else {
-phi_8106_ = _e375;
+phi_8107_ = _e375;
 }
-let _e4988 = phi_8106_;
-phi_632_ = (_e371 + 1u);
-phi_635_ = select(_e373, true, _e747);
-phi_637_ = _e4988;
+let _e4988 = phi_8107_;
+phi_633_ = (_e371 + 1u);
+phi_636_ = select(_e373, true, _e747);
+phi_638_ = _e4988;
 } else {
-phi_632_ = u32();
-phi_635_ = bool();
-phi_637_ = array<f32, 23>();
+phi_633_ = u32();
+phi_636_ = bool();
+phi_638_ = array<f32, 23>();
 }
-let _e4992 = phi_632_;
-let _e4994 = phi_635_;
-let _e4996 = phi_637_;
+let _e4992 = phi_633_;
+let _e4994 = phi_636_;
+let _e4996 = phi_638_;
 continue;
 continuing {
-phi_631_ = _e4992;
-phi_634_ = _e4994;
-phi_636_ = _e4996;
-phi_8209_ = false;
+phi_632_ = _e4992;
+phi_635_ = _e4994;
+phi_637_ = _e4996;
+phi_8210_ = false;
 break if !(_e376);
 }
 }
-let _e4999 = phi_8209_;
+let _e4999 = phi_8210_;
 if _e4999 {
 break;
 }

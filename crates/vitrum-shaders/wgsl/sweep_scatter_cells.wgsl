@@ -41,23 +41,74 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_13 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
-struct type_15 {
-member: array<u32>,
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
 struct type_16 {
+member: array<f32>,
+}
+struct type_19 {
+member: array<u32>,
+}
+struct type_20 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_17 {
+struct type_21 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,7 +116,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -83,7 +134,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_19 {
+struct type_23 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -94,96 +145,57 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_20 {
+struct type_24 {
 member: type_5,
 member_1: type_5,
 }
-struct type_21 {
-member: type_13,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_22 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_23 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_13,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_13,
-member_18: type_21,
-member_19: type_5,
-member_20: type_22,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
-member_2: type_16,
-member_3: type_13,
-member_4: type_13,
+member_2: type_20,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_17,
-member_8: type_18,
-member_9: type_18,
-member_10: type_19,
-member_11: type_20,
-member_12: type_23,
-member_13: type_17,
+member_7: type_21,
+member_8: type_22,
+member_9: type_22,
+member_10: type_23,
+member_11: type_24,
+member_12: type_14,
+member_13: type_21,
 member_14: type_4,
 member_15: type_9,
-member_16: type_24,
-member_17: type_24,
-member_18: type_24,
-member_19: type_24,
-member_20: type_5,
+member_16: type_25,
+member_17: type_25,
+member_18: type_25,
+member_19: type_25,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_26 {
-member: type_25,
+struct type_27 {
+member: type_26,
 }
-struct type_30 {
+struct type_31 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_26;
+var<storage> global_1: type_27;
 @group(0) @binding(3)
-var<storage> global_2: type_15;
+var<storage> global_2: type_19;
 @group(0) @binding(1)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 @group(0) @binding(2)
-var<storage> global_4: type_11;
+var<storage> global_4: type_16;
 @group(0) @binding(4)
-var<storage, read_write> global_5: type_30;
+var<storage, read_write> global_5: type_31;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -193,100 +205,100 @@ var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_6297_: i32;
-var phi_6394_: i32;
-var phi_6438_: i32;
-var phi_6473_: u32;
-var phi_6515_: u32;
-var phi_6555_: u32;
 var phi_6298_: i32;
-var phi_3612_: i32;
-var phi_3627_: f32;
-var phi_3633_: f32;
-var phi_3852_: i32;
-var phi_3896_: i32;
-var phi_3808_: i32;
-var phi_3897_: i32;
-var phi_3931_: u32;
-var phi_3973_: u32;
-var phi_4013_: u32;
+var phi_6395_: i32;
+var phi_6439_: i32;
+var phi_6474_: u32;
+var phi_6516_: u32;
+var phi_6556_: u32;
+var phi_6299_: i32;
 var phi_3613_: i32;
-var phi_2977_: vec2<f32>;
+var phi_3628_: f32;
+var phi_3634_: f32;
+var phi_3853_: i32;
+var phi_3897_: i32;
+var phi_3809_: i32;
+var phi_3898_: i32;
+var phi_3932_: u32;
+var phi_3974_: u32;
+var phi_4014_: u32;
+var phi_3614_: i32;
 var phi_2978_: vec2<f32>;
-var phi_2988_: vec2<f32>;
-var phi_3019_: i32;
-var phi_3102_: i32;
-var phi_3117_: f32;
-var phi_3123_: f32;
-var phi_3342_: i32;
-var phi_3386_: i32;
-var phi_3298_: i32;
-var phi_3387_: i32;
-var phi_3421_: u32;
-var phi_3463_: u32;
-var phi_3503_: u32;
-var phi_3103_: i32;
+var phi_2979_: vec2<f32>;
+var phi_2989_: vec2<f32>;
 var phi_3020_: i32;
-var phi_2529_: i32;
-var phi_2677_: i32;
-var phi_2764_: i32;
-var phi_2808_: i32;
-var phi_2720_: i32;
-var phi_2809_: i32;
-var phi_2843_: u32;
-var phi_2885_: u32;
-var phi_2925_: u32;
-var phi_2678_: i32;
+var phi_3103_: i32;
+var phi_3118_: f32;
+var phi_3124_: f32;
+var phi_3343_: i32;
+var phi_3387_: i32;
+var phi_3299_: i32;
+var phi_3388_: i32;
+var phi_3422_: u32;
+var phi_3464_: u32;
+var phi_3504_: u32;
+var phi_3104_: i32;
+var phi_3021_: i32;
 var phi_2530_: i32;
-var phi_5559_: i32;
-var phi_5574_: f32;
-var phi_5580_: f32;
-var phi_5799_: i32;
-var phi_5843_: i32;
-var phi_5755_: i32;
-var phi_5844_: i32;
-var phi_5878_: u32;
-var phi_5920_: u32;
-var phi_5960_: u32;
+var phi_2678_: i32;
+var phi_2765_: i32;
+var phi_2809_: i32;
+var phi_2721_: i32;
+var phi_2810_: i32;
+var phi_2844_: u32;
+var phi_2886_: u32;
+var phi_2926_: u32;
+var phi_2679_: i32;
+var phi_2531_: i32;
 var phi_5560_: i32;
-var phi_4924_: vec2<f32>;
+var phi_5575_: f32;
+var phi_5581_: f32;
+var phi_5800_: i32;
+var phi_5844_: i32;
+var phi_5756_: i32;
+var phi_5845_: i32;
+var phi_5879_: u32;
+var phi_5921_: u32;
+var phi_5961_: u32;
+var phi_5561_: i32;
 var phi_4925_: vec2<f32>;
-var phi_4935_: vec2<f32>;
-var phi_4966_: i32;
-var phi_5049_: i32;
-var phi_5064_: f32;
-var phi_5070_: f32;
-var phi_5289_: i32;
-var phi_5333_: i32;
-var phi_5245_: i32;
-var phi_5334_: i32;
-var phi_5368_: u32;
-var phi_5410_: u32;
-var phi_5450_: u32;
-var phi_5050_: i32;
+var phi_4926_: vec2<f32>;
+var phi_4936_: vec2<f32>;
 var phi_4967_: i32;
-var phi_4476_: i32;
-var phi_4624_: i32;
-var phi_4711_: i32;
-var phi_4755_: i32;
-var phi_4667_: i32;
-var phi_4756_: i32;
-var phi_4790_: u32;
-var phi_4832_: u32;
-var phi_4872_: u32;
-var phi_4625_: i32;
+var phi_5050_: i32;
+var phi_5065_: f32;
+var phi_5071_: f32;
+var phi_5290_: i32;
+var phi_5334_: i32;
+var phi_5246_: i32;
+var phi_5335_: i32;
+var phi_5369_: u32;
+var phi_5411_: u32;
+var phi_5451_: u32;
+var phi_5051_: i32;
+var phi_4968_: i32;
 var phi_4477_: i32;
-var phi_1669_: i32;
-var phi_1817_: i32;
-var phi_1904_: i32;
-var phi_1948_: i32;
-var phi_1860_: i32;
-var phi_1949_: i32;
-var phi_1983_: u32;
-var phi_2025_: u32;
-var phi_2065_: u32;
-var phi_1818_: i32;
+var phi_4625_: i32;
+var phi_4712_: i32;
+var phi_4756_: i32;
+var phi_4668_: i32;
+var phi_4757_: i32;
+var phi_4791_: u32;
+var phi_4833_: u32;
+var phi_4873_: u32;
+var phi_4626_: i32;
+var phi_4478_: i32;
 var phi_1670_: i32;
+var phi_1818_: i32;
+var phi_1905_: i32;
+var phi_1949_: i32;
+var phi_1861_: i32;
+var phi_1950_: i32;
+var phi_1984_: u32;
+var phi_2026_: u32;
+var phi_2066_: u32;
+var phi_1819_: i32;
+var phi_1671_: i32;
 let _e53 = global;
 let _e61 = arrayLength((&global_2.member));
 let _e64 = arrayLength((&global_5.member));
@@ -557,9 +569,9 @@ let _e3587 = select(0i, select(select(i32(_e3580), i32(-2147483648), (_e3580 < -
 let _e3594 = select(_e3576, _e3575, (_e3575 > _e3576));
 let _e3596 = select(65536f, _e3594, (_e3594 < 65536f));
 let _e3603 = select(0i, select(select(i32(_e3596), i32(-2147483648), (_e3596 < -2147483600f)), 2147483647i, (_e3596 > 2147483500f)), (_e3596 == _e3596));
-phi_1669_ = ((_e3587 - select(0i, 1i, (_e3580 < f32(_e3587)))) + 1i);
+phi_1670_ = ((_e3587 - select(0i, 1i, (_e3580 < f32(_e3587)))) + 1i);
 loop {
-let _e3609 = phi_1669_;
+let _e3609 = phi_1670_;
 let _e3610 = (_e3609 <= (_e3603 - select(0i, 1i, (_e3596 < f32(_e3603)))));
 if _e3610 {
 let _e3611 = f32(_e3609);
@@ -585,9 +597,9 @@ let _e3660 = -(select(_e3645, select(_e3652, _e3645, (_e3645 < _e3652)), _e3653)
 let _e3662 = select(_e3576, _e3660, (_e3660 > _e3576));
 let _e3664 = select(65536f, _e3662, (_e3662 < 65536f));
 let _e3671 = select(0i, select(select(i32(_e3664), i32(-2147483648), (_e3664 < -2147483600f)), 2147483647i, (_e3664 > 2147483500f)), (_e3664 == _e3664));
-phi_1817_ = -((_e3671 - select(0i, 1i, (_e3664 < f32(_e3671)))));
+phi_1818_ = -((_e3671 - select(0i, 1i, (_e3664 < f32(_e3671)))));
 loop {
-let _e3678 = phi_1817_;
+let _e3678 = phi_1818_;
 let _e3680 = (f32(_e3678) < select(_e3648, select(_e3652, _e3648, (_e3648 > _e3652)), _e3653));
 if _e3680 {
 if _e877 {
@@ -597,12 +609,12 @@ let _e3774 = global_1.member.member_12.member_17.member_1;
 let _e3776 = (_e3678 + 1i);
 let _e3777 = (_e3609 + 1i);
 if ((((_e3776 >= 0i) && (_e3776 < _e3769)) && (_e3777 >= 0i)) && (_e3777 < bitcast<i32>(_e3774))) {
-phi_1860_ = ((_e3777 * _e3769) + _e3776);
+phi_1861_ = ((_e3777 * _e3769) + _e3776);
 } else {
-phi_1860_ = -1i;
+phi_1861_ = -1i;
 }
-let _e3788 = phi_1860_;
-phi_1949_ = _e3788;
+let _e3788 = phi_1861_;
+phi_1950_ = _e3788;
 } else {
 let _e3684 = global_1.member.member_12.member_15;
 let _e3685 = bitcast<i32>(_e3684);
@@ -615,27 +627,27 @@ let _e3702 = global_1.member.member_12.member_14.member_1;
 let _e3703 = bitcast<i32>(_e3702);
 let _e3708 = global_1.member.member_12.member_14.member_2;
 if ((((((_e3689 >= 0i) && (_e3689 < _e3697)) && (_e3691 >= 0i)) && (_e3691 < _e3703)) && (_e3685 >= 0i)) && (_e3685 < bitcast<i32>(_e3708))) {
-phi_1904_ = (((((_e3685 * _e3703) + _e3691) * _e3697) + _e3689) * 3i);
+phi_1905_ = (((((_e3685 * _e3703) + _e3691) * _e3697) + _e3689) * 3i);
 } else {
-phi_1904_ = -1i;
+phi_1905_ = -1i;
 }
-let _e3727 = phi_1904_;
+let _e3727 = phi_1905_;
 let _e3728 = (_e3727 + 2i);
 let _e3730 = (bitcast<i32>(_e61) - 1i);
 let _e3732 = select(_e3730, _e3728, (_e3728 < _e3730));
 let _e3737 = global_2.member[bitcast<u32>(select(0i, _e3732, (_e3732 > 0i)))];
 let _e3738 = bitcast<i32>(_e3737);
 if ((_e3727 < 0i) || (_e3738 == 0i)) {
-phi_1948_ = -1i;
+phi_1949_ = -1i;
 } else {
 let _e3753 = global_1.member.member_12.member_17.member;
 let _e3758 = global_1.member.member_12.member_17.member_1;
-phi_1948_ = (bitcast<i32>((_e3753 * _e3758)) + ((((_e3738 - 1i) * 64i) + ((_e3609 & 7i) * 8i)) + (_e3678 & 7i)));
+phi_1949_ = (bitcast<i32>((_e3753 * _e3758)) + ((((_e3738 - 1i) * 64i) + ((_e3609 & 7i) * 8i)) + (_e3678 & 7i)));
 }
-let _e3763 = phi_1948_;
-phi_1949_ = _e3763;
+let _e3763 = phi_1949_;
+phi_1950_ = _e3763;
 }
-let _e3790 = phi_1949_;
+let _e3790 = phi_1950_;
 if (_e3790 >= 0i) {
 let _e3792 = (_e3790 * 6i);
 let _e3797 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -646,11 +658,11 @@ if ((_e3799 | _e3803) == 0u) {
 let _e3806 = bitcast<u32>(_e3792);
 if (_e3806 < _e64) {
 let _e3809 = atomicAdd((&global_5.member[_e3806]), _e3799);
-phi_1983_ = _e3809;
+phi_1984_ = _e3809;
 } else {
-phi_1983_ = 0u;
+phi_1984_ = 0u;
 }
-let _e3811 = phi_1983_;
+let _e3811 = phi_1984_;
 let _e3815 = (_e3803 + select(0u, 1u, ((_e3811 + _e3799) < _e3799)));
 if (_e3815 == 0u) {
 } else {
@@ -669,11 +681,11 @@ if ((_e3822 | _e3825) == 0u) {
 let _e3828 = bitcast<u32>((_e3792 + 4i));
 if (_e3828 < _e64) {
 let _e3831 = atomicAdd((&global_5.member[_e3828]), _e3822);
-phi_2025_ = _e3831;
+phi_2026_ = _e3831;
 } else {
-phi_2025_ = 0u;
+phi_2026_ = 0u;
 }
-let _e3833 = phi_2025_;
+let _e3833 = phi_2026_;
 let _e3837 = (_e3825 + select(0u, 1u, ((_e3833 + _e3822) < _e3822)));
 if (_e3837 == 0u) {
 } else {
@@ -693,11 +705,11 @@ if ((_e3848 | _e3852) == 0u) {
 let _e3855 = bitcast<u32>((_e3792 + 2i));
 if (_e3855 < _e64) {
 let _e3858 = atomicAdd((&global_5.member[_e3855]), _e3848);
-phi_2065_ = _e3858;
+phi_2066_ = _e3858;
 } else {
-phi_2065_ = 0u;
+phi_2066_ = 0u;
 }
-let _e3860 = phi_2065_;
+let _e3860 = phi_2066_;
 let _e3864 = (_e3852 + select(0u, 1u, ((_e3860 + _e3848) < _e3848)));
 if (_e3864 == 0u) {
 } else {
@@ -709,25 +721,25 @@ let _e3869 = atomicAdd((&global_5.member[_e3866]), _e3864);
 }
 }
 }
-phi_1818_ = (_e3678 + 1i);
+phi_1819_ = (_e3678 + 1i);
 } else {
-phi_1818_ = i32();
+phi_1819_ = i32();
 }
-let _e3872 = phi_1818_;
+let _e3872 = phi_1819_;
 continue;
 continuing {
-phi_1817_ = _e3872;
+phi_1818_ = _e3872;
 break if !(_e3680);
 }
 }
-phi_1670_ = (_e3609 + 1i);
+phi_1671_ = (_e3609 + 1i);
 } else {
-phi_1670_ = i32();
+phi_1671_ = i32();
 }
-let _e3876 = phi_1670_;
+let _e3876 = phi_1671_;
 continue;
 continuing {
-phi_1669_ = _e3876;
+phi_1670_ = _e3876;
 break if !(_e3610);
 }
 }
@@ -804,9 +816,9 @@ let _e1911 = select(0i, select(select(i32(_e1904), i32(-2147483648), (_e1904 < -
 let _e1918 = select(_e1900, _e1018, (_e1018 > _e1900));
 let _e1920 = select(65536f, _e1918, (_e1918 < 65536f));
 let _e1927 = select(0i, select(select(i32(_e1920), i32(-2147483648), (_e1920 < -2147483600f)), 2147483647i, (_e1920 > 2147483500f)), (_e1920 == _e1920));
-phi_2529_ = ((_e1911 - select(0i, 1i, (_e1904 < f32(_e1911)))) + 1i);
+phi_2530_ = ((_e1911 - select(0i, 1i, (_e1904 < f32(_e1911)))) + 1i);
 loop {
-let _e1933 = phi_2529_;
+let _e1933 = phi_2530_;
 let _e1934 = (_e1933 <= (_e1927 - select(0i, 1i, (_e1920 < f32(_e1927)))));
 if _e1934 {
 let _e1935 = f32(_e1933);
@@ -832,9 +844,9 @@ let _e1984 = -(select(_e1970, select(_e1976, _e1970, (_e1970 < _e1976)), _e1977)
 let _e1986 = select(_e1900, _e1984, (_e1984 > _e1900));
 let _e1988 = select(65536f, _e1986, (_e1986 < 65536f));
 let _e1995 = select(0i, select(select(i32(_e1988), i32(-2147483648), (_e1988 < -2147483600f)), 2147483647i, (_e1988 > 2147483500f)), (_e1988 == _e1988));
-phi_2677_ = -((_e1995 - select(0i, 1i, (_e1988 < f32(_e1995)))));
+phi_2678_ = -((_e1995 - select(0i, 1i, (_e1988 < f32(_e1995)))));
 loop {
-let _e2002 = phi_2677_;
+let _e2002 = phi_2678_;
 let _e2004 = (f32(_e2002) < select(_e1973, select(_e1976, _e1973, (_e1973 > _e1976)), _e1977));
 if _e2004 {
 if _e877 {
@@ -844,12 +856,12 @@ let _e2098 = global_1.member.member_12.member_17.member_1;
 let _e2100 = (_e2002 + 1i);
 let _e2101 = (_e1933 + 1i);
 if ((((_e2100 >= 0i) && (_e2100 < _e2093)) && (_e2101 >= 0i)) && (_e2101 < bitcast<i32>(_e2098))) {
-phi_2720_ = ((_e2101 * _e2093) + _e2100);
+phi_2721_ = ((_e2101 * _e2093) + _e2100);
 } else {
-phi_2720_ = -1i;
+phi_2721_ = -1i;
 }
-let _e2112 = phi_2720_;
-phi_2809_ = _e2112;
+let _e2112 = phi_2721_;
+phi_2810_ = _e2112;
 } else {
 let _e2008 = global_1.member.member_12.member_15;
 let _e2009 = bitcast<i32>(_e2008);
@@ -862,27 +874,27 @@ let _e2026 = global_1.member.member_12.member_14.member_1;
 let _e2027 = bitcast<i32>(_e2026);
 let _e2032 = global_1.member.member_12.member_14.member_2;
 if ((((((_e2013 >= 0i) && (_e2013 < _e2021)) && (_e2015 >= 0i)) && (_e2015 < _e2027)) && (_e2009 >= 0i)) && (_e2009 < bitcast<i32>(_e2032))) {
-phi_2764_ = (((((_e2009 * _e2027) + _e2015) * _e2021) + _e2013) * 3i);
+phi_2765_ = (((((_e2009 * _e2027) + _e2015) * _e2021) + _e2013) * 3i);
 } else {
-phi_2764_ = -1i;
+phi_2765_ = -1i;
 }
-let _e2051 = phi_2764_;
+let _e2051 = phi_2765_;
 let _e2052 = (_e2051 + 2i);
 let _e2054 = (bitcast<i32>(_e61) - 1i);
 let _e2056 = select(_e2054, _e2052, (_e2052 < _e2054));
 let _e2061 = global_2.member[bitcast<u32>(select(0i, _e2056, (_e2056 > 0i)))];
 let _e2062 = bitcast<i32>(_e2061);
 if ((_e2051 < 0i) || (_e2062 == 0i)) {
-phi_2808_ = -1i;
+phi_2809_ = -1i;
 } else {
 let _e2077 = global_1.member.member_12.member_17.member;
 let _e2082 = global_1.member.member_12.member_17.member_1;
-phi_2808_ = (bitcast<i32>((_e2077 * _e2082)) + ((((_e2062 - 1i) * 64i) + ((_e1933 & 7i) * 8i)) + (_e2002 & 7i)));
+phi_2809_ = (bitcast<i32>((_e2077 * _e2082)) + ((((_e2062 - 1i) * 64i) + ((_e1933 & 7i) * 8i)) + (_e2002 & 7i)));
 }
-let _e2087 = phi_2808_;
-phi_2809_ = _e2087;
+let _e2087 = phi_2809_;
+phi_2810_ = _e2087;
 }
-let _e2114 = phi_2809_;
+let _e2114 = phi_2810_;
 if (_e2114 >= 0i) {
 let _e2116 = (_e2114 * 6i);
 let _e2121 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -893,11 +905,11 @@ if ((_e2123 | _e2127) == 0u) {
 let _e2130 = bitcast<u32>(_e2116);
 if (_e2130 < _e64) {
 let _e2133 = atomicAdd((&global_5.member[_e2130]), _e2123);
-phi_2843_ = _e2133;
+phi_2844_ = _e2133;
 } else {
-phi_2843_ = 0u;
+phi_2844_ = 0u;
 }
-let _e2135 = phi_2843_;
+let _e2135 = phi_2844_;
 let _e2139 = (_e2127 + select(0u, 1u, ((_e2135 + _e2123) < _e2123)));
 if (_e2139 == 0u) {
 } else {
@@ -916,11 +928,11 @@ if ((_e2146 | _e2149) == 0u) {
 let _e2152 = bitcast<u32>((_e2116 + 4i));
 if (_e2152 < _e64) {
 let _e2155 = atomicAdd((&global_5.member[_e2152]), _e2146);
-phi_2885_ = _e2155;
+phi_2886_ = _e2155;
 } else {
-phi_2885_ = 0u;
+phi_2886_ = 0u;
 }
-let _e2157 = phi_2885_;
+let _e2157 = phi_2886_;
 let _e2161 = (_e2149 + select(0u, 1u, ((_e2157 + _e2146) < _e2146)));
 if (_e2161 == 0u) {
 } else {
@@ -940,11 +952,11 @@ if ((_e2172 | _e2176) == 0u) {
 let _e2179 = bitcast<u32>((_e2116 + 2i));
 if (_e2179 < _e64) {
 let _e2182 = atomicAdd((&global_5.member[_e2179]), _e2172);
-phi_2925_ = _e2182;
+phi_2926_ = _e2182;
 } else {
-phi_2925_ = 0u;
+phi_2926_ = 0u;
 }
-let _e2184 = phi_2925_;
+let _e2184 = phi_2926_;
 let _e2188 = (_e2176 + select(0u, 1u, ((_e2184 + _e2172) < _e2172)));
 if (_e2188 == 0u) {
 } else {
@@ -956,25 +968,25 @@ let _e2193 = atomicAdd((&global_5.member[_e2190]), _e2188);
 }
 }
 }
-phi_2678_ = (_e2002 + 1i);
+phi_2679_ = (_e2002 + 1i);
 } else {
-phi_2678_ = i32();
+phi_2679_ = i32();
 }
-let _e2196 = phi_2678_;
+let _e2196 = phi_2679_;
 continue;
 continuing {
-phi_2677_ = _e2196;
+phi_2678_ = _e2196;
 break if !(_e2004);
 }
 }
-phi_2530_ = (_e1933 + 1i);
+phi_2531_ = (_e1933 + 1i);
 } else {
-phi_2530_ = i32();
+phi_2531_ = i32();
 }
-let _e2200 = phi_2530_;
+let _e2200 = phi_2531_;
 continue;
 continuing {
-phi_2529_ = _e2200;
+phi_2530_ = _e2200;
 break if !(_e1934);
 }
 }
@@ -985,31 +997,31 @@ let _e1419 = (bitcast<f32>((bitcast<u32>(_e1023) & 2147483647u)) + bitcast<f32>(
 let _e1420 = (_e1412 > _e1419);
 let _e1422 = ((bitcast<f32>((bitcast<u32>(_e906) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e903) & 2147483647u))) > select(_e1419, _e1412, _e1420));
 if _e1422 {
-phi_2978_ = vec2<f32>(_e906, _e903);
+phi_2979_ = vec2<f32>(_e906, _e903);
 } else {
 if _e1420 {
-phi_2977_ = vec2<f32>(_e895, _e898);
+phi_2978_ = vec2<f32>(_e895, _e898);
 } else {
-phi_2977_ = vec2<f32>(_e1023, _e1024);
+phi_2978_ = vec2<f32>(_e1023, _e1024);
 }
-let _e1426 = phi_2977_;
-phi_2978_ = _e1426;
+let _e1426 = phi_2978_;
+phi_2979_ = _e1426;
 }
-let _e1428 = phi_2978_;
+let _e1428 = phi_2979_;
 if _e1422 {
-phi_2988_ = vec2<f32>(_e882, _e883);
+phi_2989_ = vec2<f32>(_e882, _e883);
 } else {
-phi_2988_ = vec2<f32>(_e880, _e881);
+phi_2989_ = vec2<f32>(_e880, _e881);
 }
-let _e1432 = phi_2988_;
+let _e1432 = phi_2989_;
 let _e1434 = select(1f, _e1022, (_e1022 > 1f));
 let _e1436 = select(64f, _e1434, (_e1434 < 64f));
 let _e1443 = select(0i, select(select(i32(_e1436), i32(-2147483648), (_e1436 < -2147483600f)), 2147483647i, (_e1436 > 2147483500f)), (_e1436 == _e1436));
 let _e1448 = ((_e1443 - select(0i, 1i, (_e1436 < f32(_e1443)))) + 1i);
 let _e1450 = (1f / f32(_e1448));
-phi_3019_ = 0i;
+phi_3020_ = 0i;
 loop {
-let _e1452 = phi_3019_;
+let _e1452 = phi_3020_;
 let _e1453 = (_e1452 < _e1448);
 if _e1453 {
 let _e1460 = ((f32(_e1452) + 0.5f) * _e1450);
@@ -1026,25 +1038,25 @@ let _e1491 = select(0i, select(select(i32(_e1484), i32(-2147483648), (_e1484 < -
 let _e1495 = (_e1491 - select(0i, 1i, (_e1484 < f32(_e1491))));
 let _e1497 = (_e1463 - f32(_e1480));
 let _e1499 = (_e1464 - f32(_e1495));
-phi_3102_ = 0i;
+phi_3103_ = 0i;
 loop {
-let _e1501 = phi_3102_;
+let _e1501 = phi_3103_;
 let _e1502 = (_e1501 < 4i);
 if _e1502 {
 let _e1503 = (_e1501 & 1i);
 let _e1505 = (_e1501 >> bitcast<u32>(1i));
 if (_e1503 == 0i) {
-phi_3117_ = (1f - _e1497);
+phi_3118_ = (1f - _e1497);
 } else {
-phi_3117_ = _e1497;
+phi_3118_ = _e1497;
 }
-let _e1509 = phi_3117_;
+let _e1509 = phi_3118_;
 if (_e1505 == 0i) {
-phi_3123_ = (1f - _e1499);
+phi_3124_ = (1f - _e1499);
 } else {
-phi_3123_ = _e1499;
+phi_3124_ = _e1499;
 }
-let _e1513 = phi_3123_;
+let _e1513 = phi_3124_;
 let _e1521 = global_1.member.member_12.member_22;
 let _e1522 = (_e1521 * (((_e1450 * _e1509) * _e1513) / (_e878 * _e878)));
 let _e1524 = ((_e998 * _e1522) + 0.5f);
@@ -1079,12 +1091,12 @@ let _e1703 = global_1.member.member_12.member_17.member_1;
 let _e1705 = (_e1608 + 1i);
 let _e1706 = (_e1609 + 1i);
 if ((((_e1705 >= 0i) && (_e1705 < _e1698)) && (_e1706 >= 0i)) && (_e1706 < bitcast<i32>(_e1703))) {
-phi_3298_ = ((_e1706 * _e1698) + _e1705);
+phi_3299_ = ((_e1706 * _e1698) + _e1705);
 } else {
-phi_3298_ = -1i;
+phi_3299_ = -1i;
 }
-let _e1717 = phi_3298_;
-phi_3387_ = _e1717;
+let _e1717 = phi_3299_;
+phi_3388_ = _e1717;
 } else {
 let _e1613 = global_1.member.member_12.member_15;
 let _e1614 = bitcast<i32>(_e1613);
@@ -1097,27 +1109,27 @@ let _e1631 = global_1.member.member_12.member_14.member_1;
 let _e1632 = bitcast<i32>(_e1631);
 let _e1637 = global_1.member.member_12.member_14.member_2;
 if ((((((_e1618 >= 0i) && (_e1618 < _e1626)) && (_e1620 >= 0i)) && (_e1620 < _e1632)) && (_e1614 >= 0i)) && (_e1614 < bitcast<i32>(_e1637))) {
-phi_3342_ = (((((_e1614 * _e1632) + _e1620) * _e1626) + _e1618) * 3i);
+phi_3343_ = (((((_e1614 * _e1632) + _e1620) * _e1626) + _e1618) * 3i);
 } else {
-phi_3342_ = -1i;
+phi_3343_ = -1i;
 }
-let _e1656 = phi_3342_;
+let _e1656 = phi_3343_;
 let _e1657 = (_e1656 + 2i);
 let _e1659 = (bitcast<i32>(_e61) - 1i);
 let _e1661 = select(_e1659, _e1657, (_e1657 < _e1659));
 let _e1666 = global_2.member[bitcast<u32>(select(0i, _e1661, (_e1661 > 0i)))];
 let _e1667 = bitcast<i32>(_e1666);
 if ((_e1656 < 0i) || (_e1667 == 0i)) {
-phi_3386_ = -1i;
+phi_3387_ = -1i;
 } else {
 let _e1682 = global_1.member.member_12.member_17.member;
 let _e1687 = global_1.member.member_12.member_17.member_1;
-phi_3386_ = (bitcast<i32>((_e1682 * _e1687)) + ((((_e1667 - 1i) * 64i) + ((_e1609 & 7i) * 8i)) + (_e1608 & 7i)));
+phi_3387_ = (bitcast<i32>((_e1682 * _e1687)) + ((((_e1667 - 1i) * 64i) + ((_e1609 & 7i) * 8i)) + (_e1608 & 7i)));
 }
-let _e1692 = phi_3386_;
-phi_3387_ = _e1692;
+let _e1692 = phi_3387_;
+phi_3388_ = _e1692;
 }
-let _e1719 = phi_3387_;
+let _e1719 = phi_3388_;
 if (_e1719 >= 0i) {
 let _e1721 = (_e1719 * 6i);
 let _e1726 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -1128,11 +1140,11 @@ if ((_e1728 | _e1732) == 0u) {
 let _e1735 = bitcast<u32>(_e1721);
 if (_e1735 < _e64) {
 let _e1738 = atomicAdd((&global_5.member[_e1735]), _e1728);
-phi_3421_ = _e1738;
+phi_3422_ = _e1738;
 } else {
-phi_3421_ = 0u;
+phi_3422_ = 0u;
 }
-let _e1740 = phi_3421_;
+let _e1740 = phi_3422_;
 let _e1744 = (_e1732 + select(0u, 1u, ((_e1740 + _e1728) < _e1728)));
 if (_e1744 == 0u) {
 } else {
@@ -1151,11 +1163,11 @@ if ((_e1751 | _e1754) == 0u) {
 let _e1757 = bitcast<u32>((_e1721 + 4i));
 if (_e1757 < _e64) {
 let _e1760 = atomicAdd((&global_5.member[_e1757]), _e1751);
-phi_3463_ = _e1760;
+phi_3464_ = _e1760;
 } else {
-phi_3463_ = 0u;
+phi_3464_ = 0u;
 }
-let _e1762 = phi_3463_;
+let _e1762 = phi_3464_;
 let _e1766 = (_e1754 + select(0u, 1u, ((_e1762 + _e1751) < _e1751)));
 if (_e1766 == 0u) {
 } else {
@@ -1175,11 +1187,11 @@ if ((_e1777 | _e1781) == 0u) {
 let _e1784 = bitcast<u32>((_e1721 + 2i));
 if (_e1784 < _e64) {
 let _e1787 = atomicAdd((&global_5.member[_e1784]), _e1777);
-phi_3503_ = _e1787;
+phi_3504_ = _e1787;
 } else {
-phi_3503_ = 0u;
+phi_3504_ = 0u;
 }
-let _e1789 = phi_3503_;
+let _e1789 = phi_3504_;
 let _e1793 = (_e1781 + select(0u, 1u, ((_e1789 + _e1777) < _e1777)));
 if (_e1793 == 0u) {
 } else {
@@ -1191,25 +1203,25 @@ let _e1798 = atomicAdd((&global_5.member[_e1795]), _e1793);
 }
 }
 }
-phi_3103_ = (_e1501 + 1i);
+phi_3104_ = (_e1501 + 1i);
 } else {
-phi_3103_ = i32();
+phi_3104_ = i32();
 }
-let _e1801 = phi_3103_;
+let _e1801 = phi_3104_;
 continue;
 continuing {
-phi_3102_ = _e1801;
+phi_3103_ = _e1801;
 break if !(_e1502);
 }
 }
-phi_3020_ = (_e1452 + 1i);
+phi_3021_ = (_e1452 + 1i);
 } else {
-phi_3020_ = i32();
+phi_3021_ = i32();
 }
-let _e1805 = phi_3020_;
+let _e1805 = phi_3021_;
 continue;
 continuing {
-phi_3019_ = _e1805;
+phi_3020_ = _e1805;
 break if !(_e1453);
 }
 }
@@ -1229,25 +1241,25 @@ let _e1086 = select(0i, select(select(i32(_e1079), i32(-2147483648), (_e1079 < -
 let _e1090 = (_e1086 - select(0i, 1i, (_e1079 < f32(_e1086))));
 let _e1092 = (_e1058 - f32(_e1075));
 let _e1094 = (_e1059 - f32(_e1090));
-phi_3612_ = 0i;
+phi_3613_ = 0i;
 loop {
-let _e1096 = phi_3612_;
+let _e1096 = phi_3613_;
 let _e1097 = (_e1096 < 4i);
 if _e1097 {
 let _e1098 = (_e1096 & 1i);
 let _e1100 = (_e1096 >> bitcast<u32>(1i));
 if (_e1098 == 0i) {
-phi_3627_ = (1f - _e1092);
+phi_3628_ = (1f - _e1092);
 } else {
-phi_3627_ = _e1092;
+phi_3628_ = _e1092;
 }
-let _e1104 = phi_3627_;
+let _e1104 = phi_3628_;
 if (_e1100 == 0i) {
-phi_3633_ = (1f - _e1094);
+phi_3634_ = (1f - _e1094);
 } else {
-phi_3633_ = _e1094;
+phi_3634_ = _e1094;
 }
-let _e1108 = phi_3633_;
+let _e1108 = phi_3634_;
 let _e1116 = global_1.member.member_12.member_22;
 let _e1117 = (_e1116 * (((1f * _e1104) * _e1108) / (_e878 * _e878)));
 let _e1119 = ((_e998 * _e1117) + 0.5f);
@@ -1282,12 +1294,12 @@ let _e1298 = global_1.member.member_12.member_17.member_1;
 let _e1300 = (_e1203 + 1i);
 let _e1301 = (_e1204 + 1i);
 if ((((_e1300 >= 0i) && (_e1300 < _e1293)) && (_e1301 >= 0i)) && (_e1301 < bitcast<i32>(_e1298))) {
-phi_3808_ = ((_e1301 * _e1293) + _e1300);
+phi_3809_ = ((_e1301 * _e1293) + _e1300);
 } else {
-phi_3808_ = -1i;
+phi_3809_ = -1i;
 }
-let _e1312 = phi_3808_;
-phi_3897_ = _e1312;
+let _e1312 = phi_3809_;
+phi_3898_ = _e1312;
 } else {
 let _e1208 = global_1.member.member_12.member_15;
 let _e1209 = bitcast<i32>(_e1208);
@@ -1300,27 +1312,27 @@ let _e1226 = global_1.member.member_12.member_14.member_1;
 let _e1227 = bitcast<i32>(_e1226);
 let _e1232 = global_1.member.member_12.member_14.member_2;
 if ((((((_e1213 >= 0i) && (_e1213 < _e1221)) && (_e1215 >= 0i)) && (_e1215 < _e1227)) && (_e1209 >= 0i)) && (_e1209 < bitcast<i32>(_e1232))) {
-phi_3852_ = (((((_e1209 * _e1227) + _e1215) * _e1221) + _e1213) * 3i);
+phi_3853_ = (((((_e1209 * _e1227) + _e1215) * _e1221) + _e1213) * 3i);
 } else {
-phi_3852_ = -1i;
+phi_3853_ = -1i;
 }
-let _e1251 = phi_3852_;
+let _e1251 = phi_3853_;
 let _e1252 = (_e1251 + 2i);
 let _e1254 = (bitcast<i32>(_e61) - 1i);
 let _e1256 = select(_e1254, _e1252, (_e1252 < _e1254));
 let _e1261 = global_2.member[bitcast<u32>(select(0i, _e1256, (_e1256 > 0i)))];
 let _e1262 = bitcast<i32>(_e1261);
 if ((_e1251 < 0i) || (_e1262 == 0i)) {
-phi_3896_ = -1i;
+phi_3897_ = -1i;
 } else {
 let _e1277 = global_1.member.member_12.member_17.member;
 let _e1282 = global_1.member.member_12.member_17.member_1;
-phi_3896_ = (bitcast<i32>((_e1277 * _e1282)) + ((((_e1262 - 1i) * 64i) + ((_e1204 & 7i) * 8i)) + (_e1203 & 7i)));
+phi_3897_ = (bitcast<i32>((_e1277 * _e1282)) + ((((_e1262 - 1i) * 64i) + ((_e1204 & 7i) * 8i)) + (_e1203 & 7i)));
 }
-let _e1287 = phi_3896_;
-phi_3897_ = _e1287;
+let _e1287 = phi_3897_;
+phi_3898_ = _e1287;
 }
-let _e1314 = phi_3897_;
+let _e1314 = phi_3898_;
 if (_e1314 >= 0i) {
 let _e1316 = (_e1314 * 6i);
 let _e1321 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -1331,11 +1343,11 @@ if ((_e1323 | _e1327) == 0u) {
 let _e1330 = bitcast<u32>(_e1316);
 if (_e1330 < _e64) {
 let _e1333 = atomicAdd((&global_5.member[_e1330]), _e1323);
-phi_3931_ = _e1333;
+phi_3932_ = _e1333;
 } else {
-phi_3931_ = 0u;
+phi_3932_ = 0u;
 }
-let _e1335 = phi_3931_;
+let _e1335 = phi_3932_;
 let _e1339 = (_e1327 + select(0u, 1u, ((_e1335 + _e1323) < _e1323)));
 if (_e1339 == 0u) {
 } else {
@@ -1354,11 +1366,11 @@ if ((_e1346 | _e1349) == 0u) {
 let _e1352 = bitcast<u32>((_e1316 + 4i));
 if (_e1352 < _e64) {
 let _e1355 = atomicAdd((&global_5.member[_e1352]), _e1346);
-phi_3973_ = _e1355;
+phi_3974_ = _e1355;
 } else {
-phi_3973_ = 0u;
+phi_3974_ = 0u;
 }
-let _e1357 = phi_3973_;
+let _e1357 = phi_3974_;
 let _e1361 = (_e1349 + select(0u, 1u, ((_e1357 + _e1346) < _e1346)));
 if (_e1361 == 0u) {
 } else {
@@ -1378,11 +1390,11 @@ if ((_e1372 | _e1376) == 0u) {
 let _e1379 = bitcast<u32>((_e1316 + 2i));
 if (_e1379 < _e64) {
 let _e1382 = atomicAdd((&global_5.member[_e1379]), _e1372);
-phi_4013_ = _e1382;
+phi_4014_ = _e1382;
 } else {
-phi_4013_ = 0u;
+phi_4014_ = 0u;
 }
-let _e1384 = phi_4013_;
+let _e1384 = phi_4014_;
 let _e1388 = (_e1376 + select(0u, 1u, ((_e1384 + _e1372) < _e1372)));
 if (_e1388 == 0u) {
 } else {
@@ -1394,14 +1406,14 @@ let _e1393 = atomicAdd((&global_5.member[_e1390]), _e1388);
 }
 }
 }
-phi_3613_ = (_e1096 + 1i);
+phi_3614_ = (_e1096 + 1i);
 } else {
-phi_3613_ = i32();
+phi_3614_ = i32();
 }
-let _e1396 = phi_3613_;
+let _e1396 = phi_3614_;
 continue;
 continuing {
-phi_3612_ = _e1396;
+phi_3613_ = _e1396;
 break if !(_e1097);
 }
 }
@@ -1463,9 +1475,9 @@ let _e3137 = select(0i, select(select(i32(_e3130), i32(-2147483648), (_e3130 < -
 let _e3144 = select(_e3126, _e2245, (_e2245 > _e3126));
 let _e3146 = select(65536f, _e3144, (_e3144 < 65536f));
 let _e3153 = select(0i, select(select(i32(_e3146), i32(-2147483648), (_e3146 < -2147483600f)), 2147483647i, (_e3146 > 2147483500f)), (_e3146 == _e3146));
-phi_4476_ = ((_e3137 - select(0i, 1i, (_e3130 < f32(_e3137)))) + 1i);
+phi_4477_ = ((_e3137 - select(0i, 1i, (_e3130 < f32(_e3137)))) + 1i);
 loop {
-let _e3159 = phi_4476_;
+let _e3159 = phi_4477_;
 let _e3160 = (_e3159 <= (_e3153 - select(0i, 1i, (_e3146 < f32(_e3153)))));
 if _e3160 {
 let _e3161 = f32(_e3159);
@@ -1491,9 +1503,9 @@ let _e3212 = -(select(_e3196, select(_e3204, _e3196, (_e3196 < _e3204)), _e3205)
 let _e3214 = select(_e3126, _e3212, (_e3212 > _e3126));
 let _e3216 = select(65536f, _e3214, (_e3214 < 65536f));
 let _e3223 = select(0i, select(select(i32(_e3216), i32(-2147483648), (_e3216 < -2147483600f)), 2147483647i, (_e3216 > 2147483500f)), (_e3216 == _e3216));
-phi_4624_ = -((_e3223 - select(0i, 1i, (_e3216 < f32(_e3223)))));
+phi_4625_ = -((_e3223 - select(0i, 1i, (_e3216 < f32(_e3223)))));
 loop {
-let _e3230 = phi_4624_;
+let _e3230 = phi_4625_;
 let _e3232 = (f32(_e3230) < select(_e3199, select(_e3204, _e3199, (_e3199 > _e3204)), _e3205));
 if _e3232 {
 if _e877 {
@@ -1503,12 +1515,12 @@ let _e3326 = global_1.member.member_12.member_17.member_1;
 let _e3328 = (_e3230 + 1i);
 let _e3329 = (_e3159 + 1i);
 if ((((_e3328 >= 0i) && (_e3328 < _e3321)) && (_e3329 >= 0i)) && (_e3329 < bitcast<i32>(_e3326))) {
-phi_4667_ = ((_e3329 * _e3321) + _e3328);
+phi_4668_ = ((_e3329 * _e3321) + _e3328);
 } else {
-phi_4667_ = -1i;
+phi_4668_ = -1i;
 }
-let _e3340 = phi_4667_;
-phi_4756_ = _e3340;
+let _e3340 = phi_4668_;
+phi_4757_ = _e3340;
 } else {
 let _e3236 = global_1.member.member_12.member_15;
 let _e3237 = bitcast<i32>(_e3236);
@@ -1521,27 +1533,27 @@ let _e3254 = global_1.member.member_12.member_14.member_1;
 let _e3255 = bitcast<i32>(_e3254);
 let _e3260 = global_1.member.member_12.member_14.member_2;
 if ((((((_e3241 >= 0i) && (_e3241 < _e3249)) && (_e3243 >= 0i)) && (_e3243 < _e3255)) && (_e3237 >= 0i)) && (_e3237 < bitcast<i32>(_e3260))) {
-phi_4711_ = (((((_e3237 * _e3255) + _e3243) * _e3249) + _e3241) * 3i);
+phi_4712_ = (((((_e3237 * _e3255) + _e3243) * _e3249) + _e3241) * 3i);
 } else {
-phi_4711_ = -1i;
+phi_4712_ = -1i;
 }
-let _e3279 = phi_4711_;
+let _e3279 = phi_4712_;
 let _e3280 = (_e3279 + 2i);
 let _e3282 = (bitcast<i32>(_e61) - 1i);
 let _e3284 = select(_e3282, _e3280, (_e3280 < _e3282));
 let _e3289 = global_2.member[bitcast<u32>(select(0i, _e3284, (_e3284 > 0i)))];
 let _e3290 = bitcast<i32>(_e3289);
 if ((_e3279 < 0i) || (_e3290 == 0i)) {
-phi_4755_ = -1i;
+phi_4756_ = -1i;
 } else {
 let _e3305 = global_1.member.member_12.member_17.member;
 let _e3310 = global_1.member.member_12.member_17.member_1;
-phi_4755_ = (bitcast<i32>((_e3305 * _e3310)) + ((((_e3290 - 1i) * 64i) + ((_e3159 & 7i) * 8i)) + (_e3230 & 7i)));
+phi_4756_ = (bitcast<i32>((_e3305 * _e3310)) + ((((_e3290 - 1i) * 64i) + ((_e3159 & 7i) * 8i)) + (_e3230 & 7i)));
 }
-let _e3315 = phi_4755_;
-phi_4756_ = _e3315;
+let _e3315 = phi_4756_;
+phi_4757_ = _e3315;
 }
-let _e3342 = phi_4756_;
+let _e3342 = phi_4757_;
 if (_e3342 >= 0i) {
 let _e3344 = (_e3342 * 6i);
 let _e3349 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -1552,11 +1564,11 @@ if ((_e3351 | _e3355) == 0u) {
 let _e3358 = bitcast<u32>(_e3344);
 if (_e3358 < _e64) {
 let _e3361 = atomicAdd((&global_5.member[_e3358]), _e3351);
-phi_4790_ = _e3361;
+phi_4791_ = _e3361;
 } else {
-phi_4790_ = 0u;
+phi_4791_ = 0u;
 }
-let _e3363 = phi_4790_;
+let _e3363 = phi_4791_;
 let _e3367 = (_e3355 + select(0u, 1u, ((_e3363 + _e3351) < _e3351)));
 if (_e3367 == 0u) {
 } else {
@@ -1575,11 +1587,11 @@ if ((_e3374 | _e3377) == 0u) {
 let _e3380 = bitcast<u32>((_e3344 + 4i));
 if (_e3380 < _e64) {
 let _e3383 = atomicAdd((&global_5.member[_e3380]), _e3374);
-phi_4832_ = _e3383;
+phi_4833_ = _e3383;
 } else {
-phi_4832_ = 0u;
+phi_4833_ = 0u;
 }
-let _e3385 = phi_4832_;
+let _e3385 = phi_4833_;
 let _e3389 = (_e3377 + select(0u, 1u, ((_e3385 + _e3374) < _e3374)));
 if (_e3389 == 0u) {
 } else {
@@ -1599,11 +1611,11 @@ if ((_e3400 | _e3404) == 0u) {
 let _e3407 = bitcast<u32>((_e3344 + 2i));
 if (_e3407 < _e64) {
 let _e3410 = atomicAdd((&global_5.member[_e3407]), _e3400);
-phi_4872_ = _e3410;
+phi_4873_ = _e3410;
 } else {
-phi_4872_ = 0u;
+phi_4873_ = 0u;
 }
-let _e3412 = phi_4872_;
+let _e3412 = phi_4873_;
 let _e3416 = (_e3404 + select(0u, 1u, ((_e3412 + _e3400) < _e3400)));
 if (_e3416 == 0u) {
 } else {
@@ -1615,25 +1627,25 @@ let _e3421 = atomicAdd((&global_5.member[_e3418]), _e3416);
 }
 }
 }
-phi_4625_ = (_e3230 + 1i);
+phi_4626_ = (_e3230 + 1i);
 } else {
-phi_4625_ = i32();
+phi_4626_ = i32();
 }
-let _e3424 = phi_4625_;
+let _e3424 = phi_4626_;
 continue;
 continuing {
-phi_4624_ = _e3424;
+phi_4625_ = _e3424;
 break if !(_e3232);
 }
 }
-phi_4477_ = (_e3159 + 1i);
+phi_4478_ = (_e3159 + 1i);
 } else {
-phi_4477_ = i32();
+phi_4478_ = i32();
 }
-let _e3428 = phi_4477_;
+let _e3428 = phi_4478_;
 continue;
 continuing {
-phi_4476_ = _e3428;
+phi_4477_ = _e3428;
 break if !(_e3160);
 }
 }
@@ -1644,31 +1656,31 @@ let _e2645 = (bitcast<f32>((bitcast<u32>(_e909) & 2147483647u)) + bitcast<f32>((
 let _e2646 = (_e2638 > _e2645);
 let _e2648 = ((bitcast<f32>((bitcast<u32>(_e906) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e903) & 2147483647u))) > select(_e2645, _e2638, _e2646));
 if _e2648 {
-phi_4925_ = vec2<f32>(_e906, _e903);
+phi_4926_ = vec2<f32>(_e906, _e903);
 } else {
 if _e2646 {
-phi_4924_ = vec2<f32>(_e2250, _e2251);
+phi_4925_ = vec2<f32>(_e2250, _e2251);
 } else {
-phi_4924_ = vec2<f32>(_e909, _e912);
+phi_4925_ = vec2<f32>(_e909, _e912);
 }
-let _e2652 = phi_4924_;
-phi_4925_ = _e2652;
+let _e2652 = phi_4925_;
+phi_4926_ = _e2652;
 }
-let _e2654 = phi_4925_;
+let _e2654 = phi_4926_;
 if _e2648 {
-phi_4935_ = vec2<f32>(_e882, _e883);
+phi_4936_ = vec2<f32>(_e882, _e883);
 } else {
-phi_4935_ = vec2<f32>(_e886, _e887);
+phi_4936_ = vec2<f32>(_e886, _e887);
 }
-let _e2658 = phi_4935_;
+let _e2658 = phi_4936_;
 let _e2660 = select(1f, _e2249, (_e2249 > 1f));
 let _e2662 = select(64f, _e2660, (_e2660 < 64f));
 let _e2669 = select(0i, select(select(i32(_e2662), i32(-2147483648), (_e2662 < -2147483600f)), 2147483647i, (_e2662 > 2147483500f)), (_e2662 == _e2662));
 let _e2674 = ((_e2669 - select(0i, 1i, (_e2662 < f32(_e2669)))) + 1i);
 let _e2676 = (1f / f32(_e2674));
-phi_4966_ = 0i;
+phi_4967_ = 0i;
 loop {
-let _e2678 = phi_4966_;
+let _e2678 = phi_4967_;
 let _e2679 = (_e2678 < _e2674);
 if _e2679 {
 let _e2686 = ((f32(_e2678) + 0.5f) * _e2676);
@@ -1685,25 +1697,25 @@ let _e2717 = select(0i, select(select(i32(_e2710), i32(-2147483648), (_e2710 < -
 let _e2721 = (_e2717 - select(0i, 1i, (_e2710 < f32(_e2717))));
 let _e2723 = (_e2689 - f32(_e2706));
 let _e2725 = (_e2690 - f32(_e2721));
-phi_5049_ = 0i;
+phi_5050_ = 0i;
 loop {
-let _e2727 = phi_5049_;
+let _e2727 = phi_5050_;
 let _e2728 = (_e2727 < 4i);
 if _e2728 {
 let _e2729 = (_e2727 & 1i);
 let _e2731 = (_e2727 >> bitcast<u32>(1i));
 if (_e2729 == 0i) {
-phi_5064_ = (1f - _e2723);
+phi_5065_ = (1f - _e2723);
 } else {
-phi_5064_ = _e2723;
+phi_5065_ = _e2723;
 }
-let _e2735 = phi_5064_;
+let _e2735 = phi_5065_;
 if (_e2731 == 0i) {
-phi_5070_ = (1f - _e2725);
+phi_5071_ = (1f - _e2725);
 } else {
-phi_5070_ = _e2725;
+phi_5071_ = _e2725;
 }
-let _e2739 = phi_5070_;
+let _e2739 = phi_5071_;
 let _e2747 = global_1.member.member_12.member_22;
 let _e2748 = (_e2747 * (((_e2676 * _e2735) * _e2739) / (_e878 * _e878)));
 let _e2750 = ((_e2225 * _e2748) + 0.5f);
@@ -1738,12 +1750,12 @@ let _e2929 = global_1.member.member_12.member_17.member_1;
 let _e2931 = (_e2834 + 1i);
 let _e2932 = (_e2835 + 1i);
 if ((((_e2931 >= 0i) && (_e2931 < _e2924)) && (_e2932 >= 0i)) && (_e2932 < bitcast<i32>(_e2929))) {
-phi_5245_ = ((_e2932 * _e2924) + _e2931);
+phi_5246_ = ((_e2932 * _e2924) + _e2931);
 } else {
-phi_5245_ = -1i;
+phi_5246_ = -1i;
 }
-let _e2943 = phi_5245_;
-phi_5334_ = _e2943;
+let _e2943 = phi_5246_;
+phi_5335_ = _e2943;
 } else {
 let _e2839 = global_1.member.member_12.member_15;
 let _e2840 = bitcast<i32>(_e2839);
@@ -1756,27 +1768,27 @@ let _e2857 = global_1.member.member_12.member_14.member_1;
 let _e2858 = bitcast<i32>(_e2857);
 let _e2863 = global_1.member.member_12.member_14.member_2;
 if ((((((_e2844 >= 0i) && (_e2844 < _e2852)) && (_e2846 >= 0i)) && (_e2846 < _e2858)) && (_e2840 >= 0i)) && (_e2840 < bitcast<i32>(_e2863))) {
-phi_5289_ = (((((_e2840 * _e2858) + _e2846) * _e2852) + _e2844) * 3i);
+phi_5290_ = (((((_e2840 * _e2858) + _e2846) * _e2852) + _e2844) * 3i);
 } else {
-phi_5289_ = -1i;
+phi_5290_ = -1i;
 }
-let _e2882 = phi_5289_;
+let _e2882 = phi_5290_;
 let _e2883 = (_e2882 + 2i);
 let _e2885 = (bitcast<i32>(_e61) - 1i);
 let _e2887 = select(_e2885, _e2883, (_e2883 < _e2885));
 let _e2892 = global_2.member[bitcast<u32>(select(0i, _e2887, (_e2887 > 0i)))];
 let _e2893 = bitcast<i32>(_e2892);
 if ((_e2882 < 0i) || (_e2893 == 0i)) {
-phi_5333_ = -1i;
+phi_5334_ = -1i;
 } else {
 let _e2908 = global_1.member.member_12.member_17.member;
 let _e2913 = global_1.member.member_12.member_17.member_1;
-phi_5333_ = (bitcast<i32>((_e2908 * _e2913)) + ((((_e2893 - 1i) * 64i) + ((_e2835 & 7i) * 8i)) + (_e2834 & 7i)));
+phi_5334_ = (bitcast<i32>((_e2908 * _e2913)) + ((((_e2893 - 1i) * 64i) + ((_e2835 & 7i) * 8i)) + (_e2834 & 7i)));
 }
-let _e2918 = phi_5333_;
-phi_5334_ = _e2918;
+let _e2918 = phi_5334_;
+phi_5335_ = _e2918;
 }
-let _e2945 = phi_5334_;
+let _e2945 = phi_5335_;
 if (_e2945 >= 0i) {
 let _e2947 = (_e2945 * 6i);
 let _e2952 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -1787,11 +1799,11 @@ if ((_e2954 | _e2958) == 0u) {
 let _e2961 = bitcast<u32>(_e2947);
 if (_e2961 < _e64) {
 let _e2964 = atomicAdd((&global_5.member[_e2961]), _e2954);
-phi_5368_ = _e2964;
+phi_5369_ = _e2964;
 } else {
-phi_5368_ = 0u;
+phi_5369_ = 0u;
 }
-let _e2966 = phi_5368_;
+let _e2966 = phi_5369_;
 let _e2970 = (_e2958 + select(0u, 1u, ((_e2966 + _e2954) < _e2954)));
 if (_e2970 == 0u) {
 } else {
@@ -1810,11 +1822,11 @@ if ((_e2977 | _e2980) == 0u) {
 let _e2983 = bitcast<u32>((_e2947 + 4i));
 if (_e2983 < _e64) {
 let _e2986 = atomicAdd((&global_5.member[_e2983]), _e2977);
-phi_5410_ = _e2986;
+phi_5411_ = _e2986;
 } else {
-phi_5410_ = 0u;
+phi_5411_ = 0u;
 }
-let _e2988 = phi_5410_;
+let _e2988 = phi_5411_;
 let _e2992 = (_e2980 + select(0u, 1u, ((_e2988 + _e2977) < _e2977)));
 if (_e2992 == 0u) {
 } else {
@@ -1834,11 +1846,11 @@ if ((_e3003 | _e3007) == 0u) {
 let _e3010 = bitcast<u32>((_e2947 + 2i));
 if (_e3010 < _e64) {
 let _e3013 = atomicAdd((&global_5.member[_e3010]), _e3003);
-phi_5450_ = _e3013;
+phi_5451_ = _e3013;
 } else {
-phi_5450_ = 0u;
+phi_5451_ = 0u;
 }
-let _e3015 = phi_5450_;
+let _e3015 = phi_5451_;
 let _e3019 = (_e3007 + select(0u, 1u, ((_e3015 + _e3003) < _e3003)));
 if (_e3019 == 0u) {
 } else {
@@ -1850,25 +1862,25 @@ let _e3024 = atomicAdd((&global_5.member[_e3021]), _e3019);
 }
 }
 }
-phi_5050_ = (_e2727 + 1i);
+phi_5051_ = (_e2727 + 1i);
 } else {
-phi_5050_ = i32();
+phi_5051_ = i32();
 }
-let _e3027 = phi_5050_;
+let _e3027 = phi_5051_;
 continue;
 continuing {
-phi_5049_ = _e3027;
+phi_5050_ = _e3027;
 break if !(_e2728);
 }
 }
-phi_4967_ = (_e2678 + 1i);
+phi_4968_ = (_e2678 + 1i);
 } else {
-phi_4967_ = i32();
+phi_4968_ = i32();
 }
-let _e3031 = phi_4967_;
+let _e3031 = phi_4968_;
 continue;
 continuing {
-phi_4966_ = _e3031;
+phi_4967_ = _e3031;
 break if !(_e2679);
 }
 }
@@ -1888,25 +1900,25 @@ let _e2312 = select(0i, select(select(i32(_e2305), i32(-2147483648), (_e2305 < -
 let _e2316 = (_e2312 - select(0i, 1i, (_e2305 < f32(_e2312))));
 let _e2318 = (_e2284 - f32(_e2301));
 let _e2320 = (_e2285 - f32(_e2316));
-phi_5559_ = 0i;
+phi_5560_ = 0i;
 loop {
-let _e2322 = phi_5559_;
+let _e2322 = phi_5560_;
 let _e2323 = (_e2322 < 4i);
 if _e2323 {
 let _e2324 = (_e2322 & 1i);
 let _e2326 = (_e2322 >> bitcast<u32>(1i));
 if (_e2324 == 0i) {
-phi_5574_ = (1f - _e2318);
+phi_5575_ = (1f - _e2318);
 } else {
-phi_5574_ = _e2318;
+phi_5575_ = _e2318;
 }
-let _e2330 = phi_5574_;
+let _e2330 = phi_5575_;
 if (_e2326 == 0i) {
-phi_5580_ = (1f - _e2320);
+phi_5581_ = (1f - _e2320);
 } else {
-phi_5580_ = _e2320;
+phi_5581_ = _e2320;
 }
-let _e2334 = phi_5580_;
+let _e2334 = phi_5581_;
 let _e2342 = global_1.member.member_12.member_22;
 let _e2343 = (_e2342 * (((1f * _e2330) * _e2334) / (_e878 * _e878)));
 let _e2345 = ((_e2225 * _e2343) + 0.5f);
@@ -1941,12 +1953,12 @@ let _e2524 = global_1.member.member_12.member_17.member_1;
 let _e2526 = (_e2429 + 1i);
 let _e2527 = (_e2430 + 1i);
 if ((((_e2526 >= 0i) && (_e2526 < _e2519)) && (_e2527 >= 0i)) && (_e2527 < bitcast<i32>(_e2524))) {
-phi_5755_ = ((_e2527 * _e2519) + _e2526);
+phi_5756_ = ((_e2527 * _e2519) + _e2526);
 } else {
-phi_5755_ = -1i;
+phi_5756_ = -1i;
 }
-let _e2538 = phi_5755_;
-phi_5844_ = _e2538;
+let _e2538 = phi_5756_;
+phi_5845_ = _e2538;
 } else {
 let _e2434 = global_1.member.member_12.member_15;
 let _e2435 = bitcast<i32>(_e2434);
@@ -1959,27 +1971,27 @@ let _e2452 = global_1.member.member_12.member_14.member_1;
 let _e2453 = bitcast<i32>(_e2452);
 let _e2458 = global_1.member.member_12.member_14.member_2;
 if ((((((_e2439 >= 0i) && (_e2439 < _e2447)) && (_e2441 >= 0i)) && (_e2441 < _e2453)) && (_e2435 >= 0i)) && (_e2435 < bitcast<i32>(_e2458))) {
-phi_5799_ = (((((_e2435 * _e2453) + _e2441) * _e2447) + _e2439) * 3i);
+phi_5800_ = (((((_e2435 * _e2453) + _e2441) * _e2447) + _e2439) * 3i);
 } else {
-phi_5799_ = -1i;
+phi_5800_ = -1i;
 }
-let _e2477 = phi_5799_;
+let _e2477 = phi_5800_;
 let _e2478 = (_e2477 + 2i);
 let _e2480 = (bitcast<i32>(_e61) - 1i);
 let _e2482 = select(_e2480, _e2478, (_e2478 < _e2480));
 let _e2487 = global_2.member[bitcast<u32>(select(0i, _e2482, (_e2482 > 0i)))];
 let _e2488 = bitcast<i32>(_e2487);
 if ((_e2477 < 0i) || (_e2488 == 0i)) {
-phi_5843_ = -1i;
+phi_5844_ = -1i;
 } else {
 let _e2503 = global_1.member.member_12.member_17.member;
 let _e2508 = global_1.member.member_12.member_17.member_1;
-phi_5843_ = (bitcast<i32>((_e2503 * _e2508)) + ((((_e2488 - 1i) * 64i) + ((_e2430 & 7i) * 8i)) + (_e2429 & 7i)));
+phi_5844_ = (bitcast<i32>((_e2503 * _e2508)) + ((((_e2488 - 1i) * 64i) + ((_e2430 & 7i) * 8i)) + (_e2429 & 7i)));
 }
-let _e2513 = phi_5843_;
-phi_5844_ = _e2513;
+let _e2513 = phi_5844_;
+phi_5845_ = _e2513;
 }
-let _e2540 = phi_5844_;
+let _e2540 = phi_5845_;
 if (_e2540 >= 0i) {
 let _e2542 = (_e2540 * 6i);
 let _e2547 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -1990,11 +2002,11 @@ if ((_e2549 | _e2553) == 0u) {
 let _e2556 = bitcast<u32>(_e2542);
 if (_e2556 < _e64) {
 let _e2559 = atomicAdd((&global_5.member[_e2556]), _e2549);
-phi_5878_ = _e2559;
+phi_5879_ = _e2559;
 } else {
-phi_5878_ = 0u;
+phi_5879_ = 0u;
 }
-let _e2561 = phi_5878_;
+let _e2561 = phi_5879_;
 let _e2565 = (_e2553 + select(0u, 1u, ((_e2561 + _e2549) < _e2549)));
 if (_e2565 == 0u) {
 } else {
@@ -2013,11 +2025,11 @@ if ((_e2572 | _e2575) == 0u) {
 let _e2578 = bitcast<u32>((_e2542 + 4i));
 if (_e2578 < _e64) {
 let _e2581 = atomicAdd((&global_5.member[_e2578]), _e2572);
-phi_5920_ = _e2581;
+phi_5921_ = _e2581;
 } else {
-phi_5920_ = 0u;
+phi_5921_ = 0u;
 }
-let _e2583 = phi_5920_;
+let _e2583 = phi_5921_;
 let _e2587 = (_e2575 + select(0u, 1u, ((_e2583 + _e2572) < _e2572)));
 if (_e2587 == 0u) {
 } else {
@@ -2037,11 +2049,11 @@ if ((_e2598 | _e2602) == 0u) {
 let _e2605 = bitcast<u32>((_e2542 + 2i));
 if (_e2605 < _e64) {
 let _e2608 = atomicAdd((&global_5.member[_e2605]), _e2598);
-phi_5960_ = _e2608;
+phi_5961_ = _e2608;
 } else {
-phi_5960_ = 0u;
+phi_5961_ = 0u;
 }
-let _e2610 = phi_5960_;
+let _e2610 = phi_5961_;
 let _e2614 = (_e2602 + select(0u, 1u, ((_e2610 + _e2598) < _e2598)));
 if (_e2614 == 0u) {
 } else {
@@ -2053,14 +2065,14 @@ let _e2619 = atomicAdd((&global_5.member[_e2616]), _e2614);
 }
 }
 }
-phi_5560_ = (_e2322 + 1i);
+phi_5561_ = (_e2322 + 1i);
 } else {
-phi_5560_ = i32();
+phi_5561_ = i32();
 }
-let _e2622 = phi_5560_;
+let _e2622 = phi_5561_;
 continue;
 continuing {
-phi_5559_ = _e2622;
+phi_5560_ = _e2622;
 break if !(_e2323);
 }
 }
@@ -2118,9 +2130,9 @@ let _e280 = select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -214
 let _e286 = select(0f, _e106, (_e106 > 0f));
 let _e288 = select(15f, _e286, (_e286 < 15f));
 let _e295 = select(0i, select(select(i32(_e288), i32(-2147483648), (_e288 < -2147483600f)), 2147483647i, (_e288 > 2147483500f)), (_e288 == _e288));
-phi_6297_ = 0i;
+phi_6298_ = 0i;
 loop {
-let _e301 = phi_6297_;
+let _e301 = phi_6298_;
 let _e302 = (_e301 < 4i);
 if _e302 {
 if ((((_e295 - select(0i, 1i, (_e288 < f32(_e295)))) >> bitcast<u32>((_e301 & 31i))) & 1i) == 0i) {
@@ -2138,24 +2150,24 @@ let _e334 = global_1.member.member_12.member_14.member_1;
 let _e335 = bitcast<i32>(_e334);
 let _e340 = global_1.member.member_12.member_14.member_2;
 if ((((((_e321 >= 0i) && (_e321 < _e329)) && (_e323 >= 0i)) && (_e323 < _e335)) && (_e317 >= 0i)) && (_e317 < bitcast<i32>(_e340))) {
-phi_6394_ = (((((_e317 * _e335) + _e323) * _e329) + _e321) * 3i);
+phi_6395_ = (((((_e317 * _e335) + _e323) * _e329) + _e321) * 3i);
 } else {
-phi_6394_ = -1i;
+phi_6395_ = -1i;
 }
-let _e359 = phi_6394_;
+let _e359 = phi_6395_;
 let _e360 = (_e359 + 2i);
 let _e362 = (bitcast<i32>(_e61) - 1i);
 let _e364 = select(_e362, _e360, (_e360 < _e362));
 let _e369 = global_2.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
 let _e370 = bitcast<i32>(_e369);
 if ((_e359 < 0i) || (_e370 == 0i)) {
-phi_6438_ = -1i;
+phi_6439_ = -1i;
 } else {
 let _e385 = global_1.member.member_12.member_17.member;
 let _e390 = global_1.member.member_12.member_17.member_1;
-phi_6438_ = (bitcast<i32>((_e385 * _e390)) + ((((_e370 - 1i) * 64i) + ((_e312 & 7i) * 8i)) + (_e309 & 7i)));
+phi_6439_ = (bitcast<i32>((_e385 * _e390)) + ((((_e370 - 1i) * 64i) + ((_e312 & 7i) * 8i)) + (_e309 & 7i)));
 }
-let _e395 = phi_6438_;
+let _e395 = phi_6439_;
 if (_e395 >= 0i) {
 let _e397 = (_e395 * 6i);
 let _e402 = (((_e80.member_2 == 3u) || (_e80.member_2 == 4u)) || (_e80.member_2 == 5u));
@@ -2166,11 +2178,11 @@ if ((_e404 | _e408) == 0u) {
 let _e411 = bitcast<u32>(_e397);
 if (_e411 < _e64) {
 let _e414 = atomicAdd((&global_5.member[_e411]), _e404);
-phi_6473_ = _e414;
+phi_6474_ = _e414;
 } else {
-phi_6473_ = 0u;
+phi_6474_ = 0u;
 }
-let _e416 = phi_6473_;
+let _e416 = phi_6474_;
 let _e420 = (_e408 + select(0u, 1u, ((_e416 + _e404) < _e404)));
 if (_e420 == 0u) {
 } else {
@@ -2189,11 +2201,11 @@ if ((_e427 | _e430) == 0u) {
 let _e433 = bitcast<u32>((_e397 + 4i));
 if (_e433 < _e64) {
 let _e436 = atomicAdd((&global_5.member[_e433]), _e427);
-phi_6515_ = _e436;
+phi_6516_ = _e436;
 } else {
-phi_6515_ = 0u;
+phi_6516_ = 0u;
 }
-let _e438 = phi_6515_;
+let _e438 = phi_6516_;
 let _e442 = (_e430 + select(0u, 1u, ((_e438 + _e427) < _e427)));
 if (_e442 == 0u) {
 } else {
@@ -2213,11 +2225,11 @@ if ((_e453 | _e457) == 0u) {
 let _e460 = bitcast<u32>((_e397 + 2i));
 if (_e460 < _e64) {
 let _e463 = atomicAdd((&global_5.member[_e460]), _e453);
-phi_6555_ = _e463;
+phi_6556_ = _e463;
 } else {
-phi_6555_ = 0u;
+phi_6556_ = 0u;
 }
-let _e465 = phi_6555_;
+let _e465 = phi_6556_;
 let _e469 = (_e457 + select(0u, 1u, ((_e465 + _e453) < _e453)));
 if (_e469 == 0u) {
 } else {
@@ -2230,14 +2242,14 @@ let _e474 = atomicAdd((&global_5.member[_e471]), _e469);
 }
 }
 }
-phi_6298_ = (_e301 + 1i);
+phi_6299_ = (_e301 + 1i);
 } else {
-phi_6298_ = i32();
+phi_6299_ = i32();
 }
-let _e477 = phi_6298_;
+let _e477 = phi_6299_;
 continue;
 continuing {
-phi_6297_ = _e477;
+phi_6298_ = _e477;
 break if !(_e302);
 }
 }

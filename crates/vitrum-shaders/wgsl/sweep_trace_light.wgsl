@@ -41,20 +41,71 @@ struct type_9 {
 member: type_8,
 member_1: type_8,
 }
-struct type_11 {
-member: array<f32>,
+struct type_10 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
 }
-struct type_13 {
+struct type_11 {
 member: u32,
 member_1: u32,
 }
+struct type_12 {
+member: type_11,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_13 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
 struct type_14 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_11,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_11,
+member_18: type_12,
+member_19: type_5,
+member_20: type_13,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_16 {
+member: array<f32>,
+}
+struct type_18 {
 member: u32,
 member_1: u32,
 member_2: u32,
 member_3: u32,
 }
-struct type_15 {
+struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -62,7 +113,7 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_16 {
+struct type_20 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -80,7 +131,7 @@ member_13: type_2,
 member_14: u32,
 member_15: u32,
 }
-struct type_17 {
+struct type_21 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,83 +142,44 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_18 {
+struct type_22 {
 member: type_5,
 member_1: type_5,
 }
-struct type_19 {
-member: type_13,
-member_1: f32,
-member_2: f32,
-member_3: u32,
-member_4: u32,
-}
-struct type_20 {
-member: type_5,
-member_1: f32,
-member_2: f32,
-}
-struct type_21 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: u32,
-member_4: type_13,
-member_5: f32,
-member_6: f32,
-member_7: f32,
-member_8: f32,
-member_9: f32,
-member_10: f32,
-member_11: f32,
-member_12: u32,
-member_13: u32,
-member_14: type_2,
-member_15: u32,
-member_16: u32,
-member_17: type_13,
-member_18: type_19,
-member_19: type_5,
-member_20: type_20,
-member_21: f32,
-member_22: f32,
-member_23: f32,
-member_24: f32,
-}
-struct type_22 {
+struct type_23 {
 member: type_7,
 member_1: u32,
 }
-struct type_23 {
+struct type_24 {
 member: type_2,
 member_1: u32,
-member_2: type_14,
-member_3: type_13,
-member_4: type_13,
+member_2: type_18,
+member_3: type_11,
+member_4: type_11,
 member_5: u32,
 member_6: u32,
-member_7: type_15,
-member_8: type_16,
-member_9: type_16,
-member_10: type_17,
-member_11: type_18,
-member_12: type_21,
-member_13: type_15,
+member_7: type_19,
+member_8: type_20,
+member_9: type_20,
+member_10: type_21,
+member_11: type_22,
+member_12: type_14,
+member_13: type_19,
 member_14: type_4,
 member_15: type_9,
-member_16: type_22,
-member_17: type_22,
-member_18: type_22,
-member_19: type_22,
-member_20: type_5,
+member_16: type_23,
+member_17: type_23,
+member_18: type_23,
+member_19: type_23,
+member_20: type_10,
 member_21: f32,
 member_22: f32,
 member_23: type_6,
 }
-struct type_24 {
-member: type_23,
-}
 struct type_25 {
+member: type_24,
+}
+struct type_26 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -175,22 +187,22 @@ member_3: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_24;
+var<storage> global_1: type_25;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_16;
 @group(0) @binding(1)
-var<storage> global_3: type_11;
+var<storage> global_3: type_16;
 fn function_() {
 var local: u32;
 var local_1: i32;
 var local_2: i32;
-var local_3: type_25;
-var phi_310_: i32;
-var phi_353_: i32;
-var phi_546_: i32;
-var phi_589_: i32;
-var phi_782_: i32;
-var phi_825_: i32;
+var local_3: type_26;
+var phi_311_: i32;
+var phi_354_: i32;
+var phi_547_: i32;
+var phi_590_: i32;
+var phi_783_: i32;
+var phi_826_: i32;
 let _e26 = global;
 let _e33 = global_1.member.member_2;
 let _e36 = global_1.member.member;
@@ -252,11 +264,11 @@ let _e175 = (_e171 - select(0i, 1i, (_e164 < f32(_e171))));
 let _e177 = (_e159 - f32(_e175));
 let _e178 = (_e175 < 0i);
 if _e178 {
-phi_310_ = (_e175 + 1i);
+phi_311_ = (_e175 + 1i);
 } else {
-phi_310_ = _e175;
+phi_311_ = _e175;
 }
-let _e181 = phi_310_;
+let _e181 = phi_311_;
 let _e182 = select(1i, -1i, _e178);
 let _e184 = select(_e177, (1f - _e177), _e178);
 let _e185 = local_3.member_3;
@@ -267,11 +279,11 @@ let _e200 = (_e196 - select(0i, 1i, (_e189 < f32(_e196))));
 let _e202 = (_e185 - f32(_e200));
 let _e203 = (_e200 < 0i);
 if _e203 {
-phi_353_ = (_e200 + 1i);
+phi_354_ = (_e200 + 1i);
 } else {
-phi_353_ = _e200;
+phi_354_ = _e200;
 }
-let _e206 = phi_353_;
+let _e206 = phi_354_;
 let _e212 = local_3.member;
 let _e215 = (((_e158 + (_e206 * _e148)) + bitcast<i32>(_e212)) + _e181);
 let _e217 = select(_e72, _e215, (_e215 < _e72));
@@ -306,11 +318,11 @@ let _e310 = (_e306 - select(0i, 1i, (_e299 < f32(_e306))));
 let _e312 = (_e295 - f32(_e310));
 let _e313 = (_e310 < 0i);
 if _e313 {
-phi_546_ = (_e310 + 1i);
+phi_547_ = (_e310 + 1i);
 } else {
-phi_546_ = _e310;
+phi_547_ = _e310;
 }
-let _e316 = phi_546_;
+let _e316 = phi_547_;
 let _e317 = select(1i, -1i, _e313);
 let _e319 = select(_e312, (1f - _e312), _e313);
 let _e320 = local_3.member_3;
@@ -321,11 +333,11 @@ let _e335 = (_e331 - select(0i, 1i, (_e324 < f32(_e331))));
 let _e337 = (_e320 - f32(_e335));
 let _e338 = (_e335 < 0i);
 if _e338 {
-phi_589_ = (_e335 + 1i);
+phi_590_ = (_e335 + 1i);
 } else {
-phi_589_ = _e335;
+phi_590_ = _e335;
 }
-let _e341 = phi_589_;
+let _e341 = phi_590_;
 let _e347 = local_3.member;
 let _e350 = (((_e294 + (_e341 * _e148)) + bitcast<i32>(_e347)) + _e316);
 let _e352 = select(_e72, _e350, (_e350 < _e72));
@@ -358,11 +370,11 @@ let _e440 = (_e436 - select(0i, 1i, (_e429 < f32(_e436))));
 let _e442 = (_e425 - f32(_e440));
 let _e443 = (_e440 < 0i);
 if _e443 {
-phi_782_ = (_e440 + 1i);
+phi_783_ = (_e440 + 1i);
 } else {
-phi_782_ = _e440;
+phi_783_ = _e440;
 }
-let _e446 = phi_782_;
+let _e446 = phi_783_;
 let _e447 = select(1i, -1i, _e443);
 let _e449 = select(_e442, (1f - _e442), _e443);
 let _e450 = local_3.member_3;
@@ -373,11 +385,11 @@ let _e465 = (_e461 - select(0i, 1i, (_e454 < f32(_e461))));
 let _e467 = (_e450 - f32(_e465));
 let _e468 = (_e465 < 0i);
 if _e468 {
-phi_825_ = (_e465 + 1i);
+phi_826_ = (_e465 + 1i);
 } else {
-phi_825_ = _e465;
+phi_826_ = _e465;
 }
-let _e471 = phi_825_;
+let _e471 = phi_826_;
 let _e477 = local_3.member;
 let _e480 = (((_e424 + (_e471 * _e148)) + bitcast<i32>(_e477)) + _e446);
 let _e482 = select(_e72, _e480, (_e480 < _e72));

@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,16 +149,17 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
-}
-struct type_14 {
-member: type_13,
-}
-struct type_16 {
-member: array<f32>,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
 struct type_19 {
+member: type_18,
+}
+struct type_21 {
+member: array<f32>,
+}
+struct type_24 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -121,13 +181,13 @@ member_17: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(1)
-var<storage, read_write> global_2: type_16;
+var<storage, read_write> global_2: type_21;
 fn function_() {
-var phi_850_: vec3<f32>;
-var phi_858_: vec3<f32>;
-var phi_1198_: type_19;
+var phi_855_: vec3<f32>;
+var phi_863_: vec3<f32>;
+var phi_1203_: type_24;
 let _e60 = global;
 let _e65 = global_1.member.member;
 if (_e60.x < _e65.member) {
@@ -248,18 +308,18 @@ let _e440 = global_1.member.member_6.member_3;
 let _e441 = (_e440 != 0u);
 if _e441 {
 let _e454 = global_1.member.member_9;
-phi_850_ = vec3<f32>(_e454.member, _e454.member_1, _e454.member_2);
+phi_855_ = vec3<f32>(_e454.member, _e454.member_1, _e454.member_2);
 } else {
 let _e444 = global_1.member.member_9;
-phi_850_ = vec3<f32>((_e444.member + _e434), (_e444.member_1 + _e435), (_e444.member_2 + _e436));
+phi_855_ = vec3<f32>((_e444.member + _e434), (_e444.member_1 + _e435), (_e444.member_2 + _e436));
 }
-let _e460 = phi_850_;
+let _e460 = phi_855_;
 if _e441 {
-phi_858_ = vec3<f32>((_e411.member + _e434), (_e411.member_1 + _e435), (_e411.member_2 + _e436));
+phi_863_ = vec3<f32>((_e411.member + _e434), (_e411.member_1 + _e435), (_e411.member_2 + _e436));
 } else {
-phi_858_ = vec3<f32>(_e411.member, _e411.member_1, _e411.member_2);
+phi_863_ = vec3<f32>(_e411.member, _e411.member_1, _e411.member_2);
 }
-let _e466 = phi_858_;
+let _e466 = phi_863_;
 let _e474 = (((_e460.x * _e460.x) + (_e460.y * _e460.y)) + (_e460.z * _e460.z));
 let _e477 = sqrt(select(0f, _e474, (_e474 > 0f)));
 let _e480 = (1f / select(1e-20f, _e477, (_e477 > 1e-20f)));
@@ -308,11 +368,11 @@ let _e632 = (((_e554 <= _e544) || (_e554 <= 0f)) || (_e626 && (_e623 <= _e625)))
 let _e634 = select(_e625, select(0f, _e623, _e626), _e632);
 let _e637 = global_1.member.member_1;
 let _e647 = f32(_e622);
-phi_1198_ = type_19((_e466 + vec3<f32>((_e481 * _e634), (_e482 * _e634), (_e483 * _e634))), (_e460 * _e480), vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, select(select(0f, 4f, ((_e637 & 2u) != 0u)), select(1f, 3f, _e626), _e632), 16i, 0f, 0f, _e634, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e356, 0i, select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < -2147483600f)), 2147483647i, (_e647 > 2147483500f)), (_e647 == _e647)), (_e623 - _e634));
+phi_1203_ = type_24((_e466 + vec3<f32>((_e481 * _e634), (_e482 * _e634), (_e483 * _e634))), (_e460 * _e480), vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, select(select(0f, 4f, ((_e637 & 2u) != 0u)), select(1f, 3f, _e626), _e632), 16i, 0f, 0f, _e634, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e356, 0i, select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < -2147483600f)), 2147483647i, (_e647 > 2147483500f)), (_e647 == _e647)), (_e623 - _e634));
 } else {
-phi_1198_ = type_19(vec3<f32>(_e85, _e95, _e106), vec3<f32>(_e117, _e128, _e139), vec3<f32>(0f, 0f, 0f), vec3<f32>(_e150, _e161, _e172), vec3<f32>(_e183, _e194, _e205), _e216, 1f, select(0i, select(select(i32(_e227), i32(-2147483648), (_e227 < -2147483600f)), 2147483647i, (_e227 > 2147483500f)), (_e227 == _e227)), 0f, _e238, _e249, _e260, vec3<f32>(0f, 0f, 0f), vec3<f32>(_e271, _e282, _e293), _e356, select(0i, select(select(i32(_e315), i32(-2147483648), (_e315 < -2147483600f)), 2147483647i, (_e315 > 2147483500f)), (_e315 == _e315)), select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < -2147483600f)), 2147483647i, (_e326 > 2147483500f)), (_e326 == _e326)), _e337);
+phi_1203_ = type_24(vec3<f32>(_e85, _e95, _e106), vec3<f32>(_e117, _e128, _e139), vec3<f32>(0f, 0f, 0f), vec3<f32>(_e150, _e161, _e172), vec3<f32>(_e183, _e194, _e205), _e216, 1f, select(0i, select(select(i32(_e227), i32(-2147483648), (_e227 < -2147483600f)), 2147483647i, (_e227 > 2147483500f)), (_e227 == _e227)), 0f, _e238, _e249, _e260, vec3<f32>(0f, 0f, 0f), vec3<f32>(_e271, _e282, _e293), _e356, select(0i, select(select(i32(_e315), i32(-2147483648), (_e315 < -2147483600f)), 2147483647i, (_e315 > 2147483500f)), (_e315 == _e315)), select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < -2147483600f)), 2147483647i, (_e326 > 2147483500f)), (_e326 == _e326)), _e337);
 }
-let _e660 = phi_1198_;
+let _e660 = phi_1203_;
 global_2.member[_e74] = _e660.member.x;
 global_2.member[_e86] = _e660.member.y;
 global_2.member[_e97] = _e660.member.z;

@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,23 +149,24 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
-struct type_14 {
-member: type_13,
+struct type_19 {
+member: type_18,
 }
-struct type_16 {
+struct type_21 {
 member: array<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(1)
-var<storage, read_write> global_2: type_16;
+var<storage, read_write> global_2: type_21;
 fn function_() {
-var phi_211_: vec3<f32>;
-var phi_219_: vec3<f32>;
+var phi_216_: vec3<f32>;
+var phi_224_: vec3<f32>;
 let _e52 = global;
 let _e55 = global_1.member.member;
 if (_e52.x < _e55.member) {
@@ -129,18 +189,18 @@ let _e130 = global_1.member.member_6.member_3;
 let _e131 = (_e130 != 0u);
 if _e131 {
 let _e134 = global_1.member.member_9;
-phi_211_ = vec3<f32>(_e134.member, _e134.member_1, _e134.member_2);
+phi_216_ = vec3<f32>(_e134.member, _e134.member_1, _e134.member_2);
 } else {
 let _e141 = global_1.member.member_9;
-phi_211_ = vec3<f32>((_e141.member + _e124), (_e141.member_1 + _e125), (_e141.member_2 + _e126));
+phi_216_ = vec3<f32>((_e141.member + _e124), (_e141.member_1 + _e125), (_e141.member_2 + _e126));
 }
-let _e150 = phi_211_;
+let _e150 = phi_216_;
 if _e131 {
-phi_219_ = vec3<f32>((_e101.member + _e124), (_e101.member_1 + _e125), (_e101.member_2 + _e126));
+phi_224_ = vec3<f32>((_e101.member + _e124), (_e101.member_1 + _e125), (_e101.member_2 + _e126));
 } else {
-phi_219_ = vec3<f32>(_e101.member, _e101.member_1, _e101.member_2);
+phi_224_ = vec3<f32>(_e101.member, _e101.member_1, _e101.member_2);
 }
-let _e156 = phi_219_;
+let _e156 = phi_224_;
 let _e164 = (((_e150.x * _e150.x) + (_e150.y * _e150.y)) + (_e150.z * _e150.z));
 let _e167 = sqrt(select(0f, _e164, (_e164 > 0f)));
 let _e170 = (1f / select(1e-20f, _e167, (_e167 > 1e-20f)));

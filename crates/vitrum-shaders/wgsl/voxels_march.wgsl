@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,16 +149,17 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
-struct type_14 {
-member: type_13,
+struct type_19 {
+member: type_18,
 }
-struct type_16 {
+struct type_21 {
 member: array<f32>,
 }
-struct type_20 {
+struct type_25 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -119,29 +179,29 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_22 {
+struct type_27 {
 member: array<u32>,
 }
-struct type_23 {
+struct type_28 {
 member: vec3<f32>,
 member_1: f32,
 }
-struct type_26 {
+struct type_31 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(3)
-var<storage> global_2: type_16;
+var<storage> global_2: type_21;
 @group(0) @binding(4)
-var<storage, read_write> global_3: type_16;
+var<storage, read_write> global_3: type_21;
 @group(0) @binding(1)
-var<storage> global_4: type_22;
+var<storage> global_4: type_27;
 @group(0) @binding(2)
-var<storage> global_5: type_22;
+var<storage> global_5: type_27;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_26;
+var<storage, read_write> global_6: type_31;
 fn function_() {
 var local: i32;
 var local_1: vec3<f32>;
@@ -149,143 +209,143 @@ var local_2: i32;
 var local_3: vec3<f32>;
 var local_4: i32;
 var local_5: vec3<f32>;
-var phi_802_: u32;
-var phi_898_: i32;
-var phi_901_: i32;
-var phi_1337_: f32;
-var phi_899_: i32;
-var phi_902_: i32;
+var phi_807_: u32;
+var phi_903_: i32;
+var phi_906_: i32;
+var phi_1342_: f32;
+var phi_904_: i32;
+var phi_907_: i32;
 var local_6: i32;
-var phi_1345_: type_20;
-var phi_1347_: type_20;
-var phi_1350_: i32;
-var phi_1686_: f32;
-var phi_1724_: i32;
-var phi_1727_: i32;
-var phi_2163_: f32;
-var phi_1725_: i32;
-var phi_1728_: i32;
+var phi_1350_: type_25;
+var phi_1352_: type_25;
+var phi_1355_: i32;
+var phi_1691_: f32;
+var phi_1729_: i32;
+var phi_1732_: i32;
+var phi_2168_: f32;
+var phi_1730_: i32;
+var phi_1733_: i32;
 var local_7: i32;
-var phi_2175_: i32;
-var phi_2178_: f32;
-var phi_2180_: f32;
-var phi_2209_: i32;
-var phi_2212_: i32;
-var phi_2648_: f32;
-var phi_2210_: i32;
-var phi_2213_: i32;
+var phi_2180_: i32;
+var phi_2183_: f32;
+var phi_2185_: f32;
+var phi_2214_: i32;
+var phi_2217_: i32;
+var phi_2653_: f32;
+var phi_2215_: i32;
+var phi_2218_: i32;
 var local_8: i32;
-var phi_2176_: i32;
-var phi_2179_: f32;
-var phi_2181_: f32;
+var phi_2181_: i32;
+var phi_2184_: f32;
+var phi_2186_: f32;
 var local_9: f32;
 var local_10: f32;
 var local_11: f32;
-var phi_2683_: i32;
-var phi_2686_: i32;
-var phi_3122_: f32;
-var phi_2684_: i32;
-var phi_2687_: i32;
+var phi_2688_: i32;
+var phi_2691_: i32;
+var phi_3127_: f32;
+var phi_2689_: i32;
+var phi_2692_: i32;
 var local_12: i32;
 var local_13: i32;
-var phi_3582_: f32;
-var phi_4021_: f32;
-var phi_4461_: f32;
-var phi_4900_: f32;
-var phi_5340_: f32;
-var phi_5779_: f32;
-var phi_5842_: vec3<f32>;
-var phi_5889_: f32;
-var phi_5892_: f32;
-var phi_5894_: i32;
-var phi_5896_: f32;
-var phi_5898_: type_23;
-var phi_6370_: f32;
-var phi_6809_: f32;
-var phi_7249_: f32;
-var phi_7688_: f32;
-var phi_8128_: f32;
-var phi_8567_: f32;
-var phi_9001_: f32;
-var phi_9471_: f32;
-var phi_9910_: f32;
-var phi_10350_: f32;
-var phi_10789_: f32;
-var phi_11229_: f32;
-var phi_11668_: f32;
-var phi_12123_: f32;
-var phi_12195_: type_23;
-var phi_5890_: f32;
-var phi_5893_: f32;
-var phi_5895_: i32;
+var phi_3587_: f32;
+var phi_4026_: f32;
+var phi_4466_: f32;
+var phi_4905_: f32;
+var phi_5345_: f32;
+var phi_5784_: f32;
+var phi_5847_: vec3<f32>;
+var phi_5894_: f32;
 var phi_5897_: f32;
-var phi_5899_: type_23;
-var phi_12201_: type_23;
+var phi_5899_: i32;
+var phi_5901_: f32;
+var phi_5903_: type_28;
+var phi_6375_: f32;
+var phi_6814_: f32;
+var phi_7254_: f32;
+var phi_7693_: f32;
+var phi_8133_: f32;
+var phi_8572_: f32;
+var phi_9006_: f32;
+var phi_9476_: f32;
+var phi_9915_: f32;
+var phi_10355_: f32;
+var phi_10794_: f32;
+var phi_11234_: f32;
+var phi_11673_: f32;
+var phi_12128_: f32;
+var phi_12200_: type_28;
+var phi_5895_: f32;
+var phi_5898_: f32;
+var phi_5900_: i32;
+var phi_5902_: f32;
+var phi_5904_: type_28;
+var phi_12206_: type_28;
 var local_14: f32;
 var local_15: i32;
 var local_16: f32;
-var phi_12515_: type_20;
+var phi_12520_: type_25;
 var local_17: i32;
 var local_18: i32;
-var phi_12738_: type_20;
-var phi_13136_: i32;
-var phi_13138_: i32;
-var phi_13166_: type_20;
-var phi_13167_: type_20;
-var phi_13253_: type_20;
-var phi_13254_: type_20;
-var phi_13272_: type_20;
+var phi_12743_: type_25;
+var phi_13141_: i32;
+var phi_13143_: i32;
+var phi_13171_: type_25;
+var phi_13172_: type_25;
+var phi_13258_: type_25;
+var phi_13259_: type_25;
+var phi_13277_: type_25;
 var local_19: i32;
-var phi_13720_: type_20;
-var phi_13721_: type_20;
-var phi_13699_: type_20;
-var phi_13722_: type_20;
+var phi_13725_: type_25;
+var phi_13726_: type_25;
+var phi_13704_: type_25;
+var phi_13727_: type_25;
 var local_20: i32;
-var phi_13730_: type_20;
-var phi_13731_: type_20;
-var phi_13732_: bool;
-var phi_14311_: type_20;
+var phi_13735_: type_25;
+var phi_13736_: type_25;
+var phi_13737_: bool;
+var phi_14316_: type_25;
 var local_21: i32;
-var phi_14613_: type_20;
-var phi_14614_: type_20;
-var phi_14615_: type_20;
-var phi_14022_: type_20;
-var phi_14616_: type_20;
-var phi_1348_: type_20;
-var phi_1351_: i32;
-var local_22: type_20;
-var local_23: type_20;
-var local_24: type_20;
-var local_25: type_20;
-var local_26: type_20;
-var local_27: type_20;
-var local_28: type_20;
-var local_29: type_20;
-var local_30: type_20;
-var local_31: type_20;
-var local_32: type_20;
-var local_33: type_20;
-var local_34: type_20;
-var local_35: type_20;
-var local_36: type_20;
-var local_37: type_20;
-var local_38: type_20;
-var local_39: type_20;
-var local_40: type_20;
-var local_41: type_20;
-var local_42: type_20;
-var local_43: type_20;
-var local_44: type_20;
-var local_45: type_20;
-var local_46: type_20;
-var local_47: type_20;
-var local_48: type_20;
-var local_49: type_20;
-var local_50: type_20;
-var local_51: type_20;
-var local_52: type_20;
+var phi_14618_: type_25;
+var phi_14619_: type_25;
+var phi_14620_: type_25;
+var phi_14027_: type_25;
+var phi_14621_: type_25;
+var phi_1353_: type_25;
+var phi_1356_: i32;
+var local_22: type_25;
+var local_23: type_25;
+var local_24: type_25;
+var local_25: type_25;
+var local_26: type_25;
+var local_27: type_25;
+var local_28: type_25;
+var local_29: type_25;
+var local_30: type_25;
+var local_31: type_25;
+var local_32: type_25;
+var local_33: type_25;
+var local_34: type_25;
+var local_35: type_25;
+var local_36: type_25;
+var local_37: type_25;
+var local_38: type_25;
+var local_39: type_25;
+var local_40: type_25;
+var local_41: type_25;
+var local_42: type_25;
+var local_43: type_25;
+var local_44: type_25;
+var local_45: type_25;
+var local_46: type_25;
+var local_47: type_25;
+var local_48: type_25;
+var local_49: type_25;
+var local_50: type_25;
+var local_51: type_25;
+var local_52: type_25;
 var local_53: f32;
-var local_54: type_23;
+var local_54: type_28;
 let _e110 = global;
 let _e116 = arrayLength((&global_5.member));
 let _e118 = arrayLength((&global_2.member));
@@ -424,11 +484,11 @@ let _e479 = select(_e137, _e477, (_e477 < _e137));
 let _e485 = global_3.member[bitcast<u32>(select(0i, _e479, (_e479 > 0i)))];
 let _e486 = (_e320 == 0f);
 if _e486 {
-phi_802_ = 3u;
+phi_807_ = 3u;
 } else {
-phi_802_ = select(0u, 1u, (_e320 == 4f));
+phi_807_ = select(0u, 1u, (_e320 == 4f));
 }
-let _e490 = phi_802_;
+let _e490 = phi_807_;
 if (_e490 > 0u) {
 if (arrayLength((&global_6.member)) >= 3u) {
 let _e499 = atomicLoad((&global_6.member[0u]));
@@ -454,11 +514,11 @@ let _e545 = global_1.member.member_14;
 let _e551 = global_1.member.member_15;
 if (_e486 && (_e342 == 0f)) {
 let _e559 = global_1.member.member_3;
-phi_898_ = (bitcast<i32>(_e559) - 1i);
-phi_901_ = 16i;
+phi_903_ = (bitcast<i32>(_e559) - 1i);
+phi_906_ = 16i;
 loop {
-let _e563 = phi_898_;
-let _e565 = phi_901_;
+let _e563 = phi_903_;
+let _e565 = phi_906_;
 local_6 = _e565;
 let _e566 = (_e563 >= 0i);
 if _e566 {
@@ -550,37 +610,37 @@ let _e876 = global_5.member[bitcast<u32>(select(0i, _e870, (_e870 > 0i)))];
 let _e883 = ((_e864 >> bitcast<u32>((_e856 & 31u))) | ((_e876 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e856) & 31u))));
 let _e886 = f32(bitcast<i32>((_e883 & 65535u)));
 let _e896 = (_e761 + (((_e798 + ((f32(bitcast<i32>((_e795 >> bitcast<u32>(16i)))) - _e798) * _e714)) - _e761) * _e716));
-phi_1337_ = (_e896 + (((_e849 + (((_e886 + ((f32(bitcast<i32>((_e883 >> bitcast<u32>(16i)))) - _e886) * _e714)) - _e849) * _e716)) - _e896) * (_e584 - f32(_e635))));
+phi_1342_ = (_e896 + (((_e849 + (((_e886 + ((f32(bitcast<i32>((_e883 >> bitcast<u32>(16i)))) - _e886) * _e714)) - _e849) * _e716)) - _e896) * (_e584 - f32(_e635))));
 } else {
-phi_1337_ = 0f;
+phi_1342_ = 0f;
 }
-let _e904 = phi_1337_;
-phi_899_ = (_e563 - 1i);
-phi_902_ = select(_e565, _e563, (_e904 > 32767.5f));
+let _e904 = phi_1342_;
+phi_904_ = (_e563 - 1i);
+phi_907_ = select(_e565, _e563, (_e904 > 32767.5f));
 } else {
-phi_899_ = i32();
-phi_902_ = i32();
+phi_904_ = i32();
+phi_907_ = i32();
 }
-let _e909 = phi_899_;
-let _e911 = phi_902_;
+let _e909 = phi_904_;
+let _e911 = phi_907_;
 continue;
 continuing {
-phi_898_ = _e909;
-phi_901_ = _e911;
+phi_903_ = _e909;
+phi_906_ = _e911;
 break if !(_e566);
 }
 }
 let _e914 = local_6;
-phi_1345_ = type_20(_e507, _e508, _e509, _e510, _e511, _e309, _e320, _e914, _e342, _e353, _e364, _e375, _e519, _e520, _e527, _e534, _e541, _e485);
+phi_1350_ = type_25(_e507, _e508, _e509, _e510, _e511, _e309, _e320, _e914, _e342, _e353, _e364, _e375, _e519, _e520, _e527, _e534, _e541, _e485);
 } else {
-phi_1345_ = type_20(_e507, _e508, _e509, _e510, _e511, _e309, _e320, select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < -2147483600f)), 2147483647i, (_e331 > 2147483500f)), (_e331 == _e331)), _e342, _e353, _e364, _e375, _e519, _e520, _e527, _e534, _e541, _e485);
+phi_1350_ = type_25(_e507, _e508, _e509, _e510, _e511, _e309, _e320, select(0i, select(select(i32(_e331), i32(-2147483648), (_e331 < -2147483600f)), 2147483647i, (_e331 > 2147483500f)), (_e331 == _e331)), _e342, _e353, _e364, _e375, _e519, _e520, _e527, _e534, _e541, _e485);
 }
-let _e917 = phi_1345_;
-phi_1347_ = _e917;
-phi_1350_ = 0i;
+let _e917 = phi_1350_;
+phi_1352_ = _e917;
+phi_1355_ = 0i;
 loop {
-let _e919 = phi_1347_;
-let _e921 = phi_1350_;
+let _e919 = phi_1352_;
+let _e921 = phi_1355_;
 local_22 = _e919;
 local_23 = _e919;
 local_24 = _e919;
@@ -669,22 +729,22 @@ let _e1111 = select(_e1103, _e1101, (_e1101 > _e1103));
 let _e1113 = select(_e1111, _e1109, (_e1109 < _e1111));
 let _e1115 = select(_e1107, _e1105, (_e1105 > _e1107));
 let _e1117 = select(_e1115, _e1113, (_e1113 < _e1115));
-phi_1686_ = (select(0f, _e1117, (_e1117 > 0f)) + 1e-3f);
+phi_1691_ = (select(0f, _e1117, (_e1117 > 0f)) + 1e-3f);
 } else {
-phi_1686_ = 0.5f;
+phi_1691_ = 0.5f;
 }
-let _e1122 = phi_1686_;
+let _e1122 = phi_1691_;
 let _e1125 = (select(0f, _e980, (_e980 > 0f)) + 1e-3f);
 let _e1127 = select(_e1125, _e1122, (_e1122 < _e1125));
 let _e1129 = (_e919.member_17 <= _e1127);
 let _e1130 = select(_e1127, _e919.member_17, _e1129);
 let _e1140 = global_1.member.member_3;
 let _e1142 = (bitcast<i32>(_e1140) - 1i);
-phi_1724_ = _e1142;
-phi_1727_ = 16i;
+phi_1729_ = _e1142;
+phi_1732_ = 16i;
 loop {
-let _e1144 = phi_1724_;
-let _e1146 = phi_1727_;
+let _e1144 = phi_1729_;
+let _e1146 = phi_1732_;
 local_7 = _e1146;
 local_21 = _e1146;
 let _e1147 = (_e1144 >= 0i);
@@ -777,39 +837,39 @@ let _e1457 = global_5.member[bitcast<u32>(select(0i, _e1451, (_e1451 > 0i)))];
 let _e1464 = ((_e1445 >> bitcast<u32>((_e1437 & 31u))) | ((_e1457 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1437) & 31u))));
 let _e1467 = f32(bitcast<i32>((_e1464 & 65535u)));
 let _e1477 = (_e1342 + (((_e1379 + ((f32(bitcast<i32>((_e1376 >> bitcast<u32>(16i)))) - _e1379) * _e1295)) - _e1342) * _e1297));
-phi_2163_ = (_e1477 + (((_e1430 + (((_e1467 + ((f32(bitcast<i32>((_e1464 >> bitcast<u32>(16i)))) - _e1467) * _e1295)) - _e1430) * _e1297)) - _e1477) * (_e1165 - f32(_e1216))));
+phi_2168_ = (_e1477 + (((_e1430 + (((_e1467 + ((f32(bitcast<i32>((_e1464 >> bitcast<u32>(16i)))) - _e1467) * _e1295)) - _e1430) * _e1297)) - _e1477) * (_e1165 - f32(_e1216))));
 } else {
-phi_2163_ = 0f;
+phi_2168_ = 0f;
 }
-let _e1485 = phi_2163_;
-phi_1725_ = (_e1144 - 1i);
-phi_1728_ = select(_e1146, _e1144, (_e1485 > 32767.5f));
+let _e1485 = phi_2168_;
+phi_1730_ = (_e1144 - 1i);
+phi_1733_ = select(_e1146, _e1144, (_e1485 > 32767.5f));
 } else {
-phi_1725_ = i32();
-phi_1728_ = i32();
+phi_1730_ = i32();
+phi_1733_ = i32();
 }
-let _e1490 = phi_1725_;
-let _e1492 = phi_1728_;
+let _e1490 = phi_1730_;
+let _e1492 = phi_1733_;
 continue;
 continuing {
-phi_1724_ = _e1490;
-phi_1727_ = _e1492;
+phi_1729_ = _e1490;
+phi_1732_ = _e1492;
 break if !(_e1147);
 }
 }
 let _e1495 = local_7;
 let _e1496 = (_e1495 == _e919.member_7);
 if _e1496 {
-phi_13731_ = _e919;
-phi_13732_ = _e1496;
+phi_13736_ = _e919;
+phi_13737_ = _e1496;
 } else {
-phi_2175_ = 0i;
-phi_2178_ = 0f;
-phi_2180_ = _e1130;
+phi_2180_ = 0i;
+phi_2183_ = 0f;
+phi_2185_ = _e1130;
 loop {
-let _e1498 = phi_2175_;
-let _e1500 = phi_2178_;
-let _e1502 = phi_2180_;
+let _e1498 = phi_2180_;
+let _e1500 = phi_2183_;
+let _e1502 = phi_2185_;
 local_9 = _e1502;
 local_10 = _e1502;
 local_11 = _e1502;
@@ -818,11 +878,11 @@ local_16 = _e1502;
 let _e1503 = (_e1498 < 12i);
 if _e1503 {
 let _e1505 = (0.5f * (_e1500 + _e1502));
-phi_2209_ = _e1142;
-phi_2212_ = 16i;
+phi_2214_ = _e1142;
+phi_2217_ = 16i;
 loop {
-let _e1513 = phi_2209_;
-let _e1515 = phi_2212_;
+let _e1513 = phi_2214_;
+let _e1515 = phi_2217_;
 local_8 = _e1515;
 let _e1516 = (_e1513 >= 0i);
 if _e1516 {
@@ -914,44 +974,44 @@ let _e1826 = global_5.member[bitcast<u32>(select(0i, _e1820, (_e1820 > 0i)))];
 let _e1833 = ((_e1814 >> bitcast<u32>((_e1806 & 31u))) | ((_e1826 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1806) & 31u))));
 let _e1836 = f32(bitcast<i32>((_e1833 & 65535u)));
 let _e1846 = (_e1711 + (((_e1748 + ((f32(bitcast<i32>((_e1745 >> bitcast<u32>(16i)))) - _e1748) * _e1664)) - _e1711) * _e1666));
-phi_2648_ = (_e1846 + (((_e1799 + (((_e1836 + ((f32(bitcast<i32>((_e1833 >> bitcast<u32>(16i)))) - _e1836) * _e1664)) - _e1799) * _e1666)) - _e1846) * (_e1534 - f32(_e1585))));
+phi_2653_ = (_e1846 + (((_e1799 + (((_e1836 + ((f32(bitcast<i32>((_e1833 >> bitcast<u32>(16i)))) - _e1836) * _e1664)) - _e1799) * _e1666)) - _e1846) * (_e1534 - f32(_e1585))));
 } else {
-phi_2648_ = 0f;
+phi_2653_ = 0f;
 }
-let _e1854 = phi_2648_;
-phi_2210_ = (_e1513 - 1i);
-phi_2213_ = select(_e1515, _e1513, (_e1854 > 32767.5f));
+let _e1854 = phi_2653_;
+phi_2215_ = (_e1513 - 1i);
+phi_2218_ = select(_e1515, _e1513, (_e1854 > 32767.5f));
 } else {
-phi_2210_ = i32();
-phi_2213_ = i32();
+phi_2215_ = i32();
+phi_2218_ = i32();
 }
-let _e1859 = phi_2210_;
-let _e1861 = phi_2213_;
+let _e1859 = phi_2215_;
+let _e1861 = phi_2218_;
 continue;
 continuing {
-phi_2209_ = _e1859;
-phi_2212_ = _e1861;
+phi_2214_ = _e1859;
+phi_2217_ = _e1861;
 break if !(_e1516);
 }
 }
 let _e1864 = local_8;
 let _e1865 = (_e1864 == _e919.member_7);
-phi_2176_ = (_e1498 + 1i);
-phi_2179_ = select(_e1500, _e1505, _e1865);
-phi_2181_ = select(_e1505, _e1502, _e1865);
+phi_2181_ = (_e1498 + 1i);
+phi_2184_ = select(_e1500, _e1505, _e1865);
+phi_2186_ = select(_e1505, _e1502, _e1865);
 } else {
-phi_2176_ = i32();
-phi_2179_ = f32();
-phi_2181_ = f32();
+phi_2181_ = i32();
+phi_2184_ = f32();
+phi_2186_ = f32();
 }
-let _e1870 = phi_2176_;
-let _e1872 = phi_2179_;
-let _e1874 = phi_2181_;
+let _e1870 = phi_2181_;
+let _e1872 = phi_2184_;
+let _e1874 = phi_2186_;
 continue;
 continuing {
-phi_2175_ = _e1870;
-phi_2178_ = _e1872;
-phi_2180_ = _e1874;
+phi_2180_ = _e1870;
+phi_2183_ = _e1872;
+phi_2185_ = _e1874;
 break if !(_e1503);
 }
 }
@@ -964,11 +1024,11 @@ let _e1884 = (_e919.member_1.z * _e1883);
 let _e1885 = (_e919.member.x + _e1878);
 let _e1886 = (_e919.member.y + _e1881);
 let _e1887 = (_e919.member.z + _e1884);
-phi_2683_ = _e1142;
-phi_2686_ = 16i;
+phi_2688_ = _e1142;
+phi_2691_ = 16i;
 loop {
-let _e1891 = phi_2683_;
-let _e1893 = phi_2686_;
+let _e1891 = phi_2688_;
+let _e1893 = phi_2691_;
 local_12 = _e1893;
 local_13 = _e1893;
 local_15 = _e1893;
@@ -1066,23 +1126,23 @@ let _e2204 = global_5.member[bitcast<u32>(select(0i, _e2198, (_e2198 > 0i)))];
 let _e2211 = ((_e2192 >> bitcast<u32>((_e2184 & 31u))) | ((_e2204 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2184) & 31u))));
 let _e2214 = f32(bitcast<i32>((_e2211 & 65535u)));
 let _e2224 = (_e2089 + (((_e2126 + ((f32(bitcast<i32>((_e2123 >> bitcast<u32>(16i)))) - _e2126) * _e2042)) - _e2089) * _e2044));
-phi_3122_ = (_e2224 + (((_e2177 + (((_e2214 + ((f32(bitcast<i32>((_e2211 >> bitcast<u32>(16i)))) - _e2214) * _e2042)) - _e2177) * _e2044)) - _e2224) * (_e1912 - f32(_e1963))));
+phi_3127_ = (_e2224 + (((_e2177 + (((_e2214 + ((f32(bitcast<i32>((_e2211 >> bitcast<u32>(16i)))) - _e2214) * _e2042)) - _e2177) * _e2044)) - _e2224) * (_e1912 - f32(_e1963))));
 } else {
-phi_3122_ = 0f;
+phi_3127_ = 0f;
 }
-let _e2232 = phi_3122_;
-phi_2684_ = (_e1891 - 1i);
-phi_2687_ = select(_e1893, _e1891, (_e2232 > 32767.5f));
+let _e2232 = phi_3127_;
+phi_2689_ = (_e1891 - 1i);
+phi_2692_ = select(_e1893, _e1891, (_e2232 > 32767.5f));
 } else {
-phi_2684_ = i32();
-phi_2687_ = i32();
+phi_2689_ = i32();
+phi_2692_ = i32();
 }
-let _e2237 = phi_2684_;
-let _e2239 = phi_2687_;
+let _e2237 = phi_2689_;
+let _e2239 = phi_2692_;
 continue;
 continuing {
-phi_2683_ = _e2237;
-phi_2686_ = _e2239;
+phi_2688_ = _e2237;
+phi_2691_ = _e2239;
 break if !(_e1894);
 }
 }
@@ -1183,11 +1243,11 @@ let _e2551 = global_5.member[bitcast<u32>(select(0i, _e2546, (_e2546 > 0i)))];
 let _e2558 = ((_e2540 >> bitcast<u32>((_e2533 & 31u))) | ((_e2551 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2533) & 31u))));
 let _e2561 = f32(bitcast<i32>((_e2558 & 65535u)));
 let _e2571 = (_e2442 + (((_e2477 + ((f32(bitcast<i32>((_e2474 >> bitcast<u32>(16i)))) - _e2477) * _e2397)) - _e2442) * _e2399));
-phi_3582_ = (_e2571 + (((_e2526 + (((_e2561 + ((f32(bitcast<i32>((_e2558 >> bitcast<u32>(16i)))) - _e2561) * _e2397)) - _e2526) * _e2399)) - _e2571) * (_e2271 - f32(_e2322))));
+phi_3587_ = (_e2571 + (((_e2526 + (((_e2561 + ((f32(bitcast<i32>((_e2558 >> bitcast<u32>(16i)))) - _e2561) * _e2397)) - _e2526) * _e2399)) - _e2571) * (_e2271 - f32(_e2322))));
 } else {
-phi_3582_ = 0f;
+phi_3587_ = 0f;
 }
-let _e2579 = phi_3582_;
+let _e2579 = phi_3587_;
 let _e2580 = local_4;
 let _e2581 = local_5[0u];
 let _e2583 = local_5[1u];
@@ -1273,11 +1333,11 @@ let _e2861 = global_5.member[bitcast<u32>(select(0i, _e2856, (_e2856 > 0i)))];
 let _e2868 = ((_e2850 >> bitcast<u32>((_e2843 & 31u))) | ((_e2861 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2843) & 31u))));
 let _e2871 = f32(bitcast<i32>((_e2868 & 65535u)));
 let _e2881 = (_e2752 + (((_e2787 + ((f32(bitcast<i32>((_e2784 >> bitcast<u32>(16i)))) - _e2787) * _e2707)) - _e2752) * _e2709));
-phi_4021_ = (_e2881 + (((_e2836 + (((_e2871 + ((f32(bitcast<i32>((_e2868 >> bitcast<u32>(16i)))) - _e2871) * _e2707)) - _e2836) * _e2709)) - _e2881) * (_e2589 - f32(_e2634))));
+phi_4026_ = (_e2881 + (((_e2836 + (((_e2871 + ((f32(bitcast<i32>((_e2868 >> bitcast<u32>(16i)))) - _e2871) * _e2707)) - _e2836) * _e2709)) - _e2881) * (_e2589 - f32(_e2634))));
 } else {
-phi_4021_ = 0f;
+phi_4026_ = 0f;
 }
-let _e2889 = phi_4021_;
+let _e2889 = phi_4026_;
 let _e2891 = local_4;
 let _e2892 = local_5[0u];
 let _e2894 = local_5[1u];
@@ -1363,11 +1423,11 @@ let _e3172 = global_5.member[bitcast<u32>(select(0i, _e3167, (_e3167 > 0i)))];
 let _e3179 = ((_e3161 >> bitcast<u32>((_e3154 & 31u))) | ((_e3172 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3154) & 31u))));
 let _e3182 = f32(bitcast<i32>((_e3179 & 65535u)));
 let _e3192 = (_e3063 + (((_e3098 + ((f32(bitcast<i32>((_e3095 >> bitcast<u32>(16i)))) - _e3098) * _e3018)) - _e3063) * _e3020));
-phi_4461_ = (_e3192 + (((_e3147 + (((_e3182 + ((f32(bitcast<i32>((_e3179 >> bitcast<u32>(16i)))) - _e3182) * _e3018)) - _e3147) * _e3020)) - _e3192) * (_e2900 - f32(_e2945))));
+phi_4466_ = (_e3192 + (((_e3147 + (((_e3182 + ((f32(bitcast<i32>((_e3179 >> bitcast<u32>(16i)))) - _e3182) * _e3018)) - _e3147) * _e3020)) - _e3192) * (_e2900 - f32(_e2945))));
 } else {
-phi_4461_ = 0f;
+phi_4466_ = 0f;
 }
-let _e3200 = phi_4461_;
+let _e3200 = phi_4466_;
 let _e3201 = local_4;
 let _e3202 = local_5[0u];
 let _e3204 = local_5[1u];
@@ -1453,11 +1513,11 @@ let _e3482 = global_5.member[bitcast<u32>(select(0i, _e3477, (_e3477 > 0i)))];
 let _e3489 = ((_e3471 >> bitcast<u32>((_e3464 & 31u))) | ((_e3482 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3464) & 31u))));
 let _e3492 = f32(bitcast<i32>((_e3489 & 65535u)));
 let _e3502 = (_e3373 + (((_e3408 + ((f32(bitcast<i32>((_e3405 >> bitcast<u32>(16i)))) - _e3408) * _e3328)) - _e3373) * _e3330));
-phi_4900_ = (_e3502 + (((_e3457 + (((_e3492 + ((f32(bitcast<i32>((_e3489 >> bitcast<u32>(16i)))) - _e3492) * _e3328)) - _e3457) * _e3330)) - _e3502) * (_e3210 - f32(_e3255))));
+phi_4905_ = (_e3502 + (((_e3457 + (((_e3492 + ((f32(bitcast<i32>((_e3489 >> bitcast<u32>(16i)))) - _e3492) * _e3328)) - _e3457) * _e3330)) - _e3502) * (_e3210 - f32(_e3255))));
 } else {
-phi_4900_ = 0f;
+phi_4905_ = 0f;
 }
-let _e3510 = phi_4900_;
+let _e3510 = phi_4905_;
 let _e3512 = local_4;
 let _e3513 = local_5[0u];
 let _e3515 = local_5[1u];
@@ -1543,11 +1603,11 @@ let _e3793 = global_5.member[bitcast<u32>(select(0i, _e3788, (_e3788 > 0i)))];
 let _e3800 = ((_e3782 >> bitcast<u32>((_e3775 & 31u))) | ((_e3793 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3775) & 31u))));
 let _e3803 = f32(bitcast<i32>((_e3800 & 65535u)));
 let _e3813 = (_e3684 + (((_e3719 + ((f32(bitcast<i32>((_e3716 >> bitcast<u32>(16i)))) - _e3719) * _e3639)) - _e3684) * _e3641));
-phi_5340_ = (_e3813 + (((_e3768 + (((_e3803 + ((f32(bitcast<i32>((_e3800 >> bitcast<u32>(16i)))) - _e3803) * _e3639)) - _e3768) * _e3641)) - _e3813) * (_e3521 - f32(_e3566))));
+phi_5345_ = (_e3813 + (((_e3768 + (((_e3803 + ((f32(bitcast<i32>((_e3800 >> bitcast<u32>(16i)))) - _e3803) * _e3639)) - _e3768) * _e3641)) - _e3813) * (_e3521 - f32(_e3566))));
 } else {
-phi_5340_ = 0f;
+phi_5345_ = 0f;
 }
-let _e3821 = phi_5340_;
+let _e3821 = phi_5345_;
 let _e3822 = local_4;
 let _e3823 = local_5[0u];
 let _e3825 = local_5[1u];
@@ -1633,11 +1693,11 @@ let _e4103 = global_5.member[bitcast<u32>(select(0i, _e4098, (_e4098 > 0i)))];
 let _e4110 = ((_e4092 >> bitcast<u32>((_e4085 & 31u))) | ((_e4103 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4085) & 31u))));
 let _e4113 = f32(bitcast<i32>((_e4110 & 65535u)));
 let _e4123 = (_e3994 + (((_e4029 + ((f32(bitcast<i32>((_e4026 >> bitcast<u32>(16i)))) - _e4029) * _e3949)) - _e3994) * _e3951));
-phi_5779_ = (_e4123 + (((_e4078 + (((_e4113 + ((f32(bitcast<i32>((_e4110 >> bitcast<u32>(16i)))) - _e4113) * _e3949)) - _e4078) * _e3951)) - _e4123) * (_e3831 - f32(_e3876))));
+phi_5784_ = (_e4123 + (((_e4078 + (((_e4113 + ((f32(bitcast<i32>((_e4110 >> bitcast<u32>(16i)))) - _e4113) * _e3949)) - _e4078) * _e3951)) - _e4123) * (_e3831 - f32(_e3876))));
 } else {
-phi_5779_ = 0f;
+phi_5784_ = 0f;
 }
-let _e4131 = phi_5779_;
+let _e4131 = phi_5784_;
 let _e4133 = (0.5f / 5461.25f);
 let _e4134 = ((_e2579 - _e2889) * _e4133);
 let _e4135 = ((_e3200 - _e3510) * _e4133);
@@ -1650,17 +1710,17 @@ let _e4149 = (_e4135 * _e4147);
 let _e4150 = (_e4136 * _e4147);
 let _e4151 = vec3<f32>(_e4148, _e4149, _e4150);
 if (_e4144 >= 0.998f) {
-phi_12201_ = type_23(_e4151, 0f);
+phi_12206_ = type_28(_e4151, 0f);
 } else {
 let _e4160 = bitcast<f32>((bitcast<u32>(_e4148) & 2147483647u));
 let _e4163 = bitcast<f32>((bitcast<u32>(_e4149) & 2147483647u));
 let _e4166 = bitcast<f32>((bitcast<u32>(_e4150) & 2147483647u));
 if ((_e4160 <= _e4163) && (_e4160 <= _e4166)) {
-phi_5842_ = vec3<f32>(1f, 0f, 0f);
+phi_5847_ = vec3<f32>(1f, 0f, 0f);
 } else {
-phi_5842_ = select(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 1f, 0f), vec3((_e4163 <= _e4166)));
+phi_5847_ = select(vec3<f32>(0f, 0f, 1f), vec3<f32>(0f, 1f, 0f), vec3((_e4163 <= _e4166)));
 }
-let _e4174 = phi_5842_;
+let _e4174 = phi_5847_;
 let _e4179 = ((_e4149 * _e4174.z) - (_e4150 * _e4174.y));
 let _e4183 = ((_e4150 * _e4174.x) - (_e4148 * _e4174.z));
 let _e4186 = ((_e4148 * _e4174.y) - (_e4149 * _e4174.x));
@@ -1670,17 +1730,17 @@ let _e4197 = (1f / select(1e-20f, _e4194, (_e4194 > 1e-20f)));
 let _e4198 = (_e4179 * _e4197);
 let _e4199 = (_e4183 * _e4197);
 let _e4200 = (_e4186 * _e4197);
-phi_5889_ = 0f;
-phi_5892_ = 4f;
-phi_5894_ = 0i;
-phi_5896_ = 1f;
-phi_5898_ = type_23(_e4151, 0f);
+phi_5894_ = 0f;
+phi_5897_ = 4f;
+phi_5899_ = 0i;
+phi_5901_ = 1f;
+phi_5903_ = type_28(_e4151, 0f);
 loop {
-let _e4212 = phi_5889_;
-let _e4214 = phi_5892_;
-let _e4216 = phi_5894_;
-let _e4218 = phi_5896_;
-let _e4220 = phi_5898_;
+let _e4212 = phi_5894_;
+let _e4214 = phi_5897_;
+let _e4216 = phi_5899_;
+let _e4218 = phi_5901_;
+let _e4220 = phi_5903_;
 local_54 = _e4220;
 let _e4221 = (_e4216 < 8i);
 if _e4221 {
@@ -1774,11 +1834,11 @@ let _e4522 = global_5.member[bitcast<u32>(select(0i, _e4517, (_e4517 > 0i)))];
 let _e4529 = ((_e4511 >> bitcast<u32>((_e4504 & 31u))) | ((_e4522 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4504) & 31u))));
 let _e4532 = f32(bitcast<i32>((_e4529 & 65535u)));
 let _e4542 = (_e4413 + (((_e4448 + ((f32(bitcast<i32>((_e4445 >> bitcast<u32>(16i)))) - _e4448) * _e4368)) - _e4413) * _e4370));
-phi_6370_ = (_e4542 + (((_e4497 + (((_e4532 + ((f32(bitcast<i32>((_e4529 >> bitcast<u32>(16i)))) - _e4532) * _e4368)) - _e4497) * _e4370)) - _e4542) * (_e4250 - f32(_e4295))));
+phi_6375_ = (_e4542 + (((_e4497 + (((_e4532 + ((f32(bitcast<i32>((_e4529 >> bitcast<u32>(16i)))) - _e4532) * _e4368)) - _e4497) * _e4370)) - _e4542) * (_e4250 - f32(_e4295))));
 } else {
-phi_6370_ = 0f;
+phi_6375_ = 0f;
 }
-let _e4550 = phi_6370_;
+let _e4550 = phi_6375_;
 let _e4551 = local_2;
 let _e4552 = local_3[0u];
 let _e4554 = local_3[1u];
@@ -1864,11 +1924,11 @@ let _e4832 = global_5.member[bitcast<u32>(select(0i, _e4827, (_e4827 > 0i)))];
 let _e4839 = ((_e4821 >> bitcast<u32>((_e4814 & 31u))) | ((_e4832 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4814) & 31u))));
 let _e4842 = f32(bitcast<i32>((_e4839 & 65535u)));
 let _e4852 = (_e4723 + (((_e4758 + ((f32(bitcast<i32>((_e4755 >> bitcast<u32>(16i)))) - _e4758) * _e4678)) - _e4723) * _e4680));
-phi_6809_ = (_e4852 + (((_e4807 + (((_e4842 + ((f32(bitcast<i32>((_e4839 >> bitcast<u32>(16i)))) - _e4842) * _e4678)) - _e4807) * _e4680)) - _e4852) * (_e4560 - f32(_e4605))));
+phi_6814_ = (_e4852 + (((_e4807 + (((_e4842 + ((f32(bitcast<i32>((_e4839 >> bitcast<u32>(16i)))) - _e4842) * _e4678)) - _e4807) * _e4680)) - _e4852) * (_e4560 - f32(_e4605))));
 } else {
-phi_6809_ = 0f;
+phi_6814_ = 0f;
 }
-let _e4860 = phi_6809_;
+let _e4860 = phi_6814_;
 let _e4862 = local_2;
 let _e4863 = local_3[0u];
 let _e4865 = local_3[1u];
@@ -1954,11 +2014,11 @@ let _e5143 = global_5.member[bitcast<u32>(select(0i, _e5138, (_e5138 > 0i)))];
 let _e5150 = ((_e5132 >> bitcast<u32>((_e5125 & 31u))) | ((_e5143 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5125) & 31u))));
 let _e5153 = f32(bitcast<i32>((_e5150 & 65535u)));
 let _e5163 = (_e5034 + (((_e5069 + ((f32(bitcast<i32>((_e5066 >> bitcast<u32>(16i)))) - _e5069) * _e4989)) - _e5034) * _e4991));
-phi_7249_ = (_e5163 + (((_e5118 + (((_e5153 + ((f32(bitcast<i32>((_e5150 >> bitcast<u32>(16i)))) - _e5153) * _e4989)) - _e5118) * _e4991)) - _e5163) * (_e4871 - f32(_e4916))));
+phi_7254_ = (_e5163 + (((_e5118 + (((_e5153 + ((f32(bitcast<i32>((_e5150 >> bitcast<u32>(16i)))) - _e5153) * _e4989)) - _e5118) * _e4991)) - _e5163) * (_e4871 - f32(_e4916))));
 } else {
-phi_7249_ = 0f;
+phi_7254_ = 0f;
 }
-let _e5171 = phi_7249_;
+let _e5171 = phi_7254_;
 let _e5172 = local_2;
 let _e5173 = local_3[0u];
 let _e5175 = local_3[1u];
@@ -2044,11 +2104,11 @@ let _e5453 = global_5.member[bitcast<u32>(select(0i, _e5448, (_e5448 > 0i)))];
 let _e5460 = ((_e5442 >> bitcast<u32>((_e5435 & 31u))) | ((_e5453 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5435) & 31u))));
 let _e5463 = f32(bitcast<i32>((_e5460 & 65535u)));
 let _e5473 = (_e5344 + (((_e5379 + ((f32(bitcast<i32>((_e5376 >> bitcast<u32>(16i)))) - _e5379) * _e5299)) - _e5344) * _e5301));
-phi_7688_ = (_e5473 + (((_e5428 + (((_e5463 + ((f32(bitcast<i32>((_e5460 >> bitcast<u32>(16i)))) - _e5463) * _e5299)) - _e5428) * _e5301)) - _e5473) * (_e5181 - f32(_e5226))));
+phi_7693_ = (_e5473 + (((_e5428 + (((_e5463 + ((f32(bitcast<i32>((_e5460 >> bitcast<u32>(16i)))) - _e5463) * _e5299)) - _e5428) * _e5301)) - _e5473) * (_e5181 - f32(_e5226))));
 } else {
-phi_7688_ = 0f;
+phi_7693_ = 0f;
 }
-let _e5481 = phi_7688_;
+let _e5481 = phi_7693_;
 let _e5483 = local_2;
 let _e5484 = local_3[0u];
 let _e5486 = local_3[1u];
@@ -2134,11 +2194,11 @@ let _e5764 = global_5.member[bitcast<u32>(select(0i, _e5759, (_e5759 > 0i)))];
 let _e5771 = ((_e5753 >> bitcast<u32>((_e5746 & 31u))) | ((_e5764 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5746) & 31u))));
 let _e5774 = f32(bitcast<i32>((_e5771 & 65535u)));
 let _e5784 = (_e5655 + (((_e5690 + ((f32(bitcast<i32>((_e5687 >> bitcast<u32>(16i)))) - _e5690) * _e5610)) - _e5655) * _e5612));
-phi_8128_ = (_e5784 + (((_e5739 + (((_e5774 + ((f32(bitcast<i32>((_e5771 >> bitcast<u32>(16i)))) - _e5774) * _e5610)) - _e5739) * _e5612)) - _e5784) * (_e5492 - f32(_e5537))));
+phi_8133_ = (_e5784 + (((_e5739 + (((_e5774 + ((f32(bitcast<i32>((_e5771 >> bitcast<u32>(16i)))) - _e5774) * _e5610)) - _e5739) * _e5612)) - _e5784) * (_e5492 - f32(_e5537))));
 } else {
-phi_8128_ = 0f;
+phi_8133_ = 0f;
 }
-let _e5792 = phi_8128_;
+let _e5792 = phi_8133_;
 let _e5793 = local_2;
 let _e5794 = local_3[0u];
 let _e5796 = local_3[1u];
@@ -2224,11 +2284,11 @@ let _e6074 = global_5.member[bitcast<u32>(select(0i, _e6069, (_e6069 > 0i)))];
 let _e6081 = ((_e6063 >> bitcast<u32>((_e6056 & 31u))) | ((_e6074 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6056) & 31u))));
 let _e6084 = f32(bitcast<i32>((_e6081 & 65535u)));
 let _e6094 = (_e5965 + (((_e6000 + ((f32(bitcast<i32>((_e5997 >> bitcast<u32>(16i)))) - _e6000) * _e5920)) - _e5965) * _e5922));
-phi_8567_ = (_e6094 + (((_e6049 + (((_e6084 + ((f32(bitcast<i32>((_e6081 >> bitcast<u32>(16i)))) - _e6084) * _e5920)) - _e6049) * _e5922)) - _e6094) * (_e5802 - f32(_e5847))));
+phi_8572_ = (_e6094 + (((_e6049 + (((_e6084 + ((f32(bitcast<i32>((_e6081 >> bitcast<u32>(16i)))) - _e6084) * _e5920)) - _e6049) * _e5922)) - _e6094) * (_e5802 - f32(_e5847))));
 } else {
-phi_8567_ = 0f;
+phi_8572_ = 0f;
 }
-let _e6102 = phi_8567_;
+let _e6102 = phi_8572_;
 let _e6104 = ((_e4550 - _e4860) * _e4133);
 let _e6105 = ((_e5171 - _e5481) * _e4133);
 let _e6106 = ((_e5792 - _e6102) * _e4133);
@@ -2323,11 +2383,11 @@ let _e6414 = global_5.member[bitcast<u32>(select(0i, _e6408, (_e6408 > 0i)))];
 let _e6421 = ((_e6402 >> bitcast<u32>((_e6394 & 31u))) | ((_e6414 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6394) & 31u))));
 let _e6424 = f32(bitcast<i32>((_e6421 & 65535u)));
 let _e6434 = (_e6299 + (((_e6336 + ((f32(bitcast<i32>((_e6333 >> bitcast<u32>(16i)))) - _e6336) * _e6252)) - _e6299) * _e6254));
-phi_9001_ = (_e6434 + (((_e6387 + (((_e6424 + ((f32(bitcast<i32>((_e6421 >> bitcast<u32>(16i)))) - _e6424) * _e6252)) - _e6387) * _e6254)) - _e6434) * (_e6124 - f32(_e6175))));
+phi_9006_ = (_e6434 + (((_e6387 + (((_e6424 + ((f32(bitcast<i32>((_e6421 >> bitcast<u32>(16i)))) - _e6424) * _e6252)) - _e6387) * _e6254)) - _e6434) * (_e6124 - f32(_e6175))));
 } else {
-phi_9001_ = 0f;
+phi_9006_ = 0f;
 }
-let _e6442 = phi_9001_;
+let _e6442 = phi_9006_;
 let _e6444 = (1f / 5461.25f);
 let _e6450 = (((_e6104 * _e6104) + (_e6105 * _e6105)) + (_e6106 * _e6106));
 let _e6453 = (((32767.5f - _e6442) * _e6444) / select(0.25f, _e6450, (_e6450 > 0.25f)));
@@ -2421,11 +2481,11 @@ let _e6745 = global_5.member[bitcast<u32>(select(0i, _e6740, (_e6740 > 0i)))];
 let _e6752 = ((_e6734 >> bitcast<u32>((_e6727 & 31u))) | ((_e6745 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6727) & 31u))));
 let _e6755 = f32(bitcast<i32>((_e6752 & 65535u)));
 let _e6765 = (_e6636 + (((_e6671 + ((f32(bitcast<i32>((_e6668 >> bitcast<u32>(16i)))) - _e6671) * _e6591)) - _e6636) * _e6593));
-phi_9471_ = (_e6765 + (((_e6720 + (((_e6755 + ((f32(bitcast<i32>((_e6752 >> bitcast<u32>(16i)))) - _e6755) * _e6591)) - _e6720) * _e6593)) - _e6765) * (_e6473 - f32(_e6518))));
+phi_9476_ = (_e6765 + (((_e6720 + (((_e6755 + ((f32(bitcast<i32>((_e6752 >> bitcast<u32>(16i)))) - _e6755) * _e6591)) - _e6720) * _e6593)) - _e6765) * (_e6473 - f32(_e6518))));
 } else {
-phi_9471_ = 0f;
+phi_9476_ = 0f;
 }
-let _e6773 = phi_9471_;
+let _e6773 = phi_9476_;
 let _e6774 = local;
 let _e6775 = local_1[0u];
 let _e6777 = local_1[1u];
@@ -2511,11 +2571,11 @@ let _e7055 = global_5.member[bitcast<u32>(select(0i, _e7050, (_e7050 > 0i)))];
 let _e7062 = ((_e7044 >> bitcast<u32>((_e7037 & 31u))) | ((_e7055 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7037) & 31u))));
 let _e7065 = f32(bitcast<i32>((_e7062 & 65535u)));
 let _e7075 = (_e6946 + (((_e6981 + ((f32(bitcast<i32>((_e6978 >> bitcast<u32>(16i)))) - _e6981) * _e6901)) - _e6946) * _e6903));
-phi_9910_ = (_e7075 + (((_e7030 + (((_e7065 + ((f32(bitcast<i32>((_e7062 >> bitcast<u32>(16i)))) - _e7065) * _e6901)) - _e7030) * _e6903)) - _e7075) * (_e6783 - f32(_e6828))));
+phi_9915_ = (_e7075 + (((_e7030 + (((_e7065 + ((f32(bitcast<i32>((_e7062 >> bitcast<u32>(16i)))) - _e7065) * _e6901)) - _e7030) * _e6903)) - _e7075) * (_e6783 - f32(_e6828))));
 } else {
-phi_9910_ = 0f;
+phi_9915_ = 0f;
 }
-let _e7083 = phi_9910_;
+let _e7083 = phi_9915_;
 let _e7085 = local;
 let _e7086 = local_1[0u];
 let _e7088 = local_1[1u];
@@ -2601,11 +2661,11 @@ let _e7366 = global_5.member[bitcast<u32>(select(0i, _e7361, (_e7361 > 0i)))];
 let _e7373 = ((_e7355 >> bitcast<u32>((_e7348 & 31u))) | ((_e7366 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7348) & 31u))));
 let _e7376 = f32(bitcast<i32>((_e7373 & 65535u)));
 let _e7386 = (_e7257 + (((_e7292 + ((f32(bitcast<i32>((_e7289 >> bitcast<u32>(16i)))) - _e7292) * _e7212)) - _e7257) * _e7214));
-phi_10350_ = (_e7386 + (((_e7341 + (((_e7376 + ((f32(bitcast<i32>((_e7373 >> bitcast<u32>(16i)))) - _e7376) * _e7212)) - _e7341) * _e7214)) - _e7386) * (_e7094 - f32(_e7139))));
+phi_10355_ = (_e7386 + (((_e7341 + (((_e7376 + ((f32(bitcast<i32>((_e7373 >> bitcast<u32>(16i)))) - _e7376) * _e7212)) - _e7341) * _e7214)) - _e7386) * (_e7094 - f32(_e7139))));
 } else {
-phi_10350_ = 0f;
+phi_10355_ = 0f;
 }
-let _e7394 = phi_10350_;
+let _e7394 = phi_10355_;
 let _e7395 = local;
 let _e7396 = local_1[0u];
 let _e7398 = local_1[1u];
@@ -2691,11 +2751,11 @@ let _e7676 = global_5.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
 let _e7683 = ((_e7665 >> bitcast<u32>((_e7658 & 31u))) | ((_e7676 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7658) & 31u))));
 let _e7686 = f32(bitcast<i32>((_e7683 & 65535u)));
 let _e7696 = (_e7567 + (((_e7602 + ((f32(bitcast<i32>((_e7599 >> bitcast<u32>(16i)))) - _e7602) * _e7522)) - _e7567) * _e7524));
-phi_10789_ = (_e7696 + (((_e7651 + (((_e7686 + ((f32(bitcast<i32>((_e7683 >> bitcast<u32>(16i)))) - _e7686) * _e7522)) - _e7651) * _e7524)) - _e7696) * (_e7404 - f32(_e7449))));
+phi_10794_ = (_e7696 + (((_e7651 + (((_e7686 + ((f32(bitcast<i32>((_e7683 >> bitcast<u32>(16i)))) - _e7686) * _e7522)) - _e7651) * _e7524)) - _e7696) * (_e7404 - f32(_e7449))));
 } else {
-phi_10789_ = 0f;
+phi_10794_ = 0f;
 }
-let _e7704 = phi_10789_;
+let _e7704 = phi_10794_;
 let _e7706 = local;
 let _e7707 = local_1[0u];
 let _e7709 = local_1[1u];
@@ -2781,11 +2841,11 @@ let _e7987 = global_5.member[bitcast<u32>(select(0i, _e7982, (_e7982 > 0i)))];
 let _e7994 = ((_e7976 >> bitcast<u32>((_e7969 & 31u))) | ((_e7987 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7969) & 31u))));
 let _e7997 = f32(bitcast<i32>((_e7994 & 65535u)));
 let _e8007 = (_e7878 + (((_e7913 + ((f32(bitcast<i32>((_e7910 >> bitcast<u32>(16i)))) - _e7913) * _e7833)) - _e7878) * _e7835));
-phi_11229_ = (_e8007 + (((_e7962 + (((_e7997 + ((f32(bitcast<i32>((_e7994 >> bitcast<u32>(16i)))) - _e7997) * _e7833)) - _e7962) * _e7835)) - _e8007) * (_e7715 - f32(_e7760))));
+phi_11234_ = (_e8007 + (((_e7962 + (((_e7997 + ((f32(bitcast<i32>((_e7994 >> bitcast<u32>(16i)))) - _e7997) * _e7833)) - _e7962) * _e7835)) - _e8007) * (_e7715 - f32(_e7760))));
 } else {
-phi_11229_ = 0f;
+phi_11234_ = 0f;
 }
-let _e8015 = phi_11229_;
+let _e8015 = phi_11234_;
 let _e8016 = local;
 let _e8017 = local_1[0u];
 let _e8019 = local_1[1u];
@@ -2871,11 +2931,11 @@ let _e8297 = global_5.member[bitcast<u32>(select(0i, _e8292, (_e8292 > 0i)))];
 let _e8304 = ((_e8286 >> bitcast<u32>((_e8279 & 31u))) | ((_e8297 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8279) & 31u))));
 let _e8307 = f32(bitcast<i32>((_e8304 & 65535u)));
 let _e8317 = (_e8188 + (((_e8223 + ((f32(bitcast<i32>((_e8220 >> bitcast<u32>(16i)))) - _e8223) * _e8143)) - _e8188) * _e8145));
-phi_11668_ = (_e8317 + (((_e8272 + (((_e8307 + ((f32(bitcast<i32>((_e8304 >> bitcast<u32>(16i)))) - _e8307) * _e8143)) - _e8272) * _e8145)) - _e8317) * (_e8025 - f32(_e8070))));
+phi_11673_ = (_e8317 + (((_e8272 + (((_e8307 + ((f32(bitcast<i32>((_e8304 >> bitcast<u32>(16i)))) - _e8307) * _e8143)) - _e8272) * _e8145)) - _e8317) * (_e8025 - f32(_e8070))));
 } else {
-phi_11668_ = 0f;
+phi_11673_ = 0f;
 }
-let _e8325 = phi_11668_;
+let _e8325 = phi_11673_;
 let _e8327 = ((_e6773 - _e7083) * _e4133);
 let _e8328 = ((_e7394 - _e7704) * _e4133);
 let _e8329 = ((_e8015 - _e8325) * _e4133);
@@ -2954,11 +3014,11 @@ let _e8588 = global_5.member[bitcast<u32>(select(0i, _e8582, (_e8582 > 0i)))];
 let _e8595 = ((_e8576 >> bitcast<u32>((_e8568 & 31u))) | ((_e8588 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8568) & 31u))));
 let _e8598 = f32(bitcast<i32>((_e8595 & 65535u)));
 let _e8608 = (_e8473 + (((_e8510 + ((f32(bitcast<i32>((_e8507 >> bitcast<u32>(16i)))) - _e8510) * _e8426)) - _e8473) * _e8428));
-phi_12123_ = (_e8608 + (((_e8561 + (((_e8598 + ((f32(bitcast<i32>((_e8595 >> bitcast<u32>(16i)))) - _e8598) * _e8426)) - _e8561) * _e8428)) - _e8608) * (_e8347 - f32(_e8392))));
+phi_12128_ = (_e8608 + (((_e8561 + (((_e8598 + ((f32(bitcast<i32>((_e8595 >> bitcast<u32>(16i)))) - _e8598) * _e8426)) - _e8561) * _e8428)) - _e8608) * (_e8347 - f32(_e8392))));
 } else {
-phi_12123_ = 0f;
+phi_12128_ = 0f;
 }
-let _e8616 = phi_12123_;
+let _e8616 = phi_12128_;
 let _e8627 = (((32767.5f - _e8616) * _e6444) + (((_e8341 * (_e1885 - _e6457)) + (_e8342 * (_e1886 - _e6458))) + (_e8343 * (_e1887 - _e6459))));
 let _e8628 = (_e8341 - _e4134);
 let _e8629 = (_e8342 - _e4135);
@@ -2969,57 +3029,57 @@ let _e8654 = (-(_e8627) / select(_e8650, 1f, (_e8650 == 0f)));
 let _e8667 = bitcast<f32>((bitcast<u32>(_e8654) & 2147483647u));
 let _e8669 = ((((_e8337 >= 0.998f) && ((((_e8628 * _e8341) + (_e8629 * _e8342)) + (_e8630 * _e8343)) >= (0.38268343f * sqrt(select(0f, _e8640, (_e8640 > 0f)))))) && (((_e8650 * (((_e4148 * _e919.member_1.x) + (_e4149 * _e919.member_1.y)) + (_e4150 * _e919.member_1.z))) > 0f) && (bitcast<f32>((bitcast<u32>(_e8627) & 2147483647u)) < 0.8f))) && (_e8667 < _e4214));
 if _e8669 {
-phi_12195_ = type_23(vec3<f32>(_e8341, _e8342, _e8343), _e8654);
+phi_12200_ = type_28(vec3<f32>(_e8341, _e8342, _e8343), _e8654);
 } else {
-phi_12195_ = _e4220;
+phi_12200_ = _e4220;
 }
-let _e8672 = phi_12195_;
-phi_5890_ = ((_e4218 + _e4212) * 0.70710677f);
-phi_5893_ = select(_e4214, _e8667, _e8669);
-phi_5895_ = (_e4216 + 1i);
-phi_5897_ = ((_e4218 - _e4212) * 0.70710677f);
-phi_5899_ = _e8672;
+let _e8672 = phi_12200_;
+phi_5895_ = ((_e4218 + _e4212) * 0.70710677f);
+phi_5898_ = select(_e4214, _e8667, _e8669);
+phi_5900_ = (_e4216 + 1i);
+phi_5902_ = ((_e4218 - _e4212) * 0.70710677f);
+phi_5904_ = _e8672;
 } else {
-phi_5890_ = f32();
-phi_5893_ = f32();
-phi_5895_ = i32();
-phi_5897_ = f32();
-phi_5899_ = type_23();
+phi_5895_ = f32();
+phi_5898_ = f32();
+phi_5900_ = i32();
+phi_5902_ = f32();
+phi_5904_ = type_28();
 }
-let _e8680 = phi_5890_;
-let _e8682 = phi_5893_;
-let _e8684 = phi_5895_;
-let _e8686 = phi_5897_;
-let _e8688 = phi_5899_;
+let _e8680 = phi_5895_;
+let _e8682 = phi_5898_;
+let _e8684 = phi_5900_;
+let _e8686 = phi_5902_;
+let _e8688 = phi_5904_;
 continue;
 continuing {
-phi_5889_ = _e8680;
-phi_5892_ = _e8682;
-phi_5894_ = _e8684;
-phi_5896_ = _e8686;
-phi_5898_ = _e8688;
+phi_5894_ = _e8680;
+phi_5897_ = _e8682;
+phi_5899_ = _e8684;
+phi_5901_ = _e8686;
+phi_5903_ = _e8688;
 break if !(_e4221);
 }
 }
 let _e11196 = local_54;
-phi_12201_ = _e11196;
+phi_12206_ = _e11196;
 }
-let _e8692 = phi_12201_;
+let _e8692 = phi_12206_;
 let _e8696 = local_14;
 let _e8700 = global_1.member.member_13;
 let _e8716 = global_1.member.member_12;
 let _e8720 = local_15;
 let _e8722 = ((((_e919.member_5 + _e8696) < _e8700) && ((((_e8692.member.x * _e919.member_4.x) + (_e8692.member.y * _e919.member_4.y)) + (_e8692.member.z * _e919.member_4.z)) > _e8716)) || (_e8720 == _e919.member_7));
 if _e8722 {
-phi_13730_ = _e919;
+phi_13735_ = _e919;
 } else {
 let _e8725 = local_16;
 let _e8726 = (_e8725 + _e8692.member_1);
-let _e8757 = type_20(vec3<f32>((_e919.member.x + (_e919.member_1.x * _e8726)), (_e919.member.y + (_e919.member_1.y * _e8726)), (_e919.member.z + (_e919.member_1.z * _e8726))), _e919.member_1, _e919.member_2, _e919.member_3, _e919.member_4, _e919.member_5, _e919.member_6, _e919.member_7, _e919.member_8, _e919.member_9, _e919.member_10, _e919.member_11, _e919.member_12, _e919.member_13, _e919.member_14, _e919.member_15, _e919.member_16, _e919.member_17);
-let _e8776 = type_20(_e8757.member, _e8757.member_1, _e8757.member_2, _e8757.member_3, _e8757.member_4, (_e919.member_5 + _e8726), _e8757.member_6, _e8757.member_7, _e8757.member_8, _e8757.member_9, _e8757.member_10, _e8757.member_11, _e8757.member_12, _e8757.member_13, _e8757.member_14, _e8757.member_15, _e8757.member_16, _e8757.member_17);
-let _e8799 = type_20(_e8776.member, _e8776.member_1, _e8776.member_2, _e8776.member_3, _e8776.member_4, _e8776.member_5, _e8776.member_6, _e8776.member_7, _e8776.member_8, _e8776.member_9, (_e919.member_10 + select(0f, _e8726, (_e919.member_8 == 0f))), _e8776.member_11, _e8776.member_12, _e8776.member_13, _e8776.member_14, _e8776.member_15, _e8776.member_16, _e8776.member_17);
+let _e8757 = type_25(vec3<f32>((_e919.member.x + (_e919.member_1.x * _e8726)), (_e919.member.y + (_e919.member_1.y * _e8726)), (_e919.member.z + (_e919.member_1.z * _e8726))), _e919.member_1, _e919.member_2, _e919.member_3, _e919.member_4, _e919.member_5, _e919.member_6, _e919.member_7, _e919.member_8, _e919.member_9, _e919.member_10, _e919.member_11, _e919.member_12, _e919.member_13, _e919.member_14, _e919.member_15, _e919.member_16, _e919.member_17);
+let _e8776 = type_25(_e8757.member, _e8757.member_1, _e8757.member_2, _e8757.member_3, _e8757.member_4, (_e919.member_5 + _e8726), _e8757.member_6, _e8757.member_7, _e8757.member_8, _e8757.member_9, _e8757.member_10, _e8757.member_11, _e8757.member_12, _e8757.member_13, _e8757.member_14, _e8757.member_15, _e8757.member_16, _e8757.member_17);
+let _e8799 = type_25(_e8776.member, _e8776.member_1, _e8776.member_2, _e8776.member_3, _e8776.member_4, _e8776.member_5, _e8776.member_6, _e8776.member_7, _e8776.member_8, _e8776.member_9, (_e919.member_10 + select(0f, _e8726, (_e919.member_8 == 0f))), _e8776.member_11, _e8776.member_12, _e8776.member_13, _e8776.member_14, _e8776.member_15, _e8776.member_16, _e8776.member_17);
 if (_e919.member_7 != 16i) {
-let _e8820 = type_20(_e8799.member, _e8799.member_1, _e8799.member_2, _e8799.member_3, _e8799.member_4, _e8799.member_5, _e8799.member_6, _e8799.member_7, _e8799.member_8, (_e919.member_9 + _e8726), _e8799.member_10, _e8799.member_11, _e8799.member_12, _e8799.member_13, _e8799.member_14, _e8799.member_15, _e8799.member_16, _e8799.member_17);
+let _e8820 = type_25(_e8799.member, _e8799.member_1, _e8799.member_2, _e8799.member_3, _e8799.member_4, _e8799.member_5, _e8799.member_6, _e8799.member_7, _e8799.member_8, (_e919.member_9 + _e8726), _e8799.member_10, _e8799.member_11, _e8799.member_12, _e8799.member_13, _e8799.member_14, _e8799.member_15, _e8799.member_16, _e8799.member_17);
 let _e8821 = (_e919.member_7 * 4i);
 let _e8822 = (_e8821 + 1i);
 let _e8824 = (bitcast<i32>(_e118) - 1i);
@@ -3061,11 +3121,11 @@ let _e8965 = select(0i, select(select(i32(_e8958), i32(-2147483648), (_e8958 < -
 let _e8969 = (_e8965 - select(0i, 1i, (_e8958 < f32(_e8965))));
 let _e8970 = f32(_e8969);
 let _e8974 = ((_e8952 - (_e8970 * 0.6933594f)) - (_e8970 * -2.1219444e-4f));
-phi_12515_ = type_20(_e8820.member, _e8820.member_1, vec3<f32>((_e919.member_2.x * ((1f + (_e8860 * (1f + (_e8860 * (0.5f + (_e8860 * (0.16666667f + (_e8860 * (0.041666668f + (_e8860 * (0.008333334f + (_e8860 * (0.001388889f + (_e8860 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8855 + 127i)) << bitcast<u32>(23i))))), (_e919.member_2.y * ((1f + (_e8917 * (1f + (_e8917 * (0.5f + (_e8917 * (0.16666667f + (_e8917 * (0.041666668f + (_e8917 * (0.008333334f + (_e8917 * (0.001388889f + (_e8917 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8912 + 127i)) << bitcast<u32>(23i))))), (_e919.member_2.z * ((1f + (_e8974 * (1f + (_e8974 * (0.5f + (_e8974 * (0.16666667f + (_e8974 * (0.041666668f + (_e8974 * (0.008333334f + (_e8974 * (0.001388889f + (_e8974 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8969 + 127i)) << bitcast<u32>(23i)))))), _e8820.member_3, _e8820.member_4, _e8820.member_5, _e8820.member_6, _e8820.member_7, _e8820.member_8, _e8820.member_9, _e8820.member_10, _e8820.member_11, _e8820.member_12, _e8820.member_13, _e8820.member_14, _e8820.member_15, _e8820.member_16, _e8820.member_17);
+phi_12520_ = type_25(_e8820.member, _e8820.member_1, vec3<f32>((_e919.member_2.x * ((1f + (_e8860 * (1f + (_e8860 * (0.5f + (_e8860 * (0.16666667f + (_e8860 * (0.041666668f + (_e8860 * (0.008333334f + (_e8860 * (0.001388889f + (_e8860 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8855 + 127i)) << bitcast<u32>(23i))))), (_e919.member_2.y * ((1f + (_e8917 * (1f + (_e8917 * (0.5f + (_e8917 * (0.16666667f + (_e8917 * (0.041666668f + (_e8917 * (0.008333334f + (_e8917 * (0.001388889f + (_e8917 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8912 + 127i)) << bitcast<u32>(23i))))), (_e919.member_2.z * ((1f + (_e8974 * (1f + (_e8974 * (0.5f + (_e8974 * (0.16666667f + (_e8974 * (0.041666668f + (_e8974 * (0.008333334f + (_e8974 * (0.001388889f + (_e8974 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8969 + 127i)) << bitcast<u32>(23i)))))), _e8820.member_3, _e8820.member_4, _e8820.member_5, _e8820.member_6, _e8820.member_7, _e8820.member_8, _e8820.member_9, _e8820.member_10, _e8820.member_11, _e8820.member_12, _e8820.member_13, _e8820.member_14, _e8820.member_15, _e8820.member_16, _e8820.member_17);
 } else {
-phi_12515_ = _e8799;
+phi_12520_ = _e8799;
 }
-let _e9024 = phi_12515_;
+let _e9024 = phi_12520_;
 let _e9026 = (_e919.member_7 * 4i);
 let _e9028 = (bitcast<i32>(_e118) - 1i);
 let _e9030 = select(_e9028, _e9026, (_e9026 < _e9028));
@@ -3112,12 +3172,12 @@ let _e9153 = global_1.member.member_1;
 let _e9156 = select(0f, select(select((((0.5f * _e9132) * _e9132) * (1f + (_e9139 * _e9139))), 1f, (_e9124 <= 0f)), 0f, (_e9038 == _e9053)), ((_e9153 & 1u) != 0u));
 let _e9157 = (_e9150 && _e9037);
 if _e9150 {
-let _e9175 = type_20(_e9024.member, _e9024.member_1, _e9024.member_2, _e8692.member, _e9024.member_4, _e9024.member_5, _e9024.member_6, _e9024.member_7, _e9024.member_8, _e9024.member_9, _e9024.member_10, _e9024.member_11, _e9024.member_12, _e9024.member_13, _e9024.member_14, _e9024.member_15, _e9024.member_16, _e9024.member_17);
-phi_12738_ = type_20(_e9175.member, _e9175.member_1, _e9175.member_2, _e9175.member_3, _e9175.member_4, _e9175.member_5, _e9175.member_6, _e9175.member_7, _e9175.member_8, _e9175.member_9, _e9175.member_10, select(0f, _e9156, _e9157), _e9175.member_12, _e9175.member_13, _e9175.member_14, _e9175.member_15, _e9175.member_16, _e9175.member_17);
+let _e9175 = type_25(_e9024.member, _e9024.member_1, _e9024.member_2, _e8692.member, _e9024.member_4, _e9024.member_5, _e9024.member_6, _e9024.member_7, _e9024.member_8, _e9024.member_9, _e9024.member_10, _e9024.member_11, _e9024.member_12, _e9024.member_13, _e9024.member_14, _e9024.member_15, _e9024.member_16, _e9024.member_17);
+phi_12743_ = type_25(_e9175.member, _e9175.member_1, _e9175.member_2, _e9175.member_3, _e9175.member_4, _e9175.member_5, _e9175.member_6, _e9175.member_7, _e9175.member_8, _e9175.member_9, _e9175.member_10, select(0f, _e9156, _e9157), _e9175.member_12, _e9175.member_13, _e9175.member_14, _e9175.member_15, _e9175.member_16, _e9175.member_17);
 } else {
-phi_12738_ = _e9024;
+phi_12743_ = _e9024;
 }
-let _e9196 = phi_12738_;
+let _e9196 = phi_12743_;
 let _e9200 = select(24f, _e9196.member_8, (_e9196.member_8 < 24f));
 let _e9210 = (_e9196.member_14 >> bitcast<u32>((select(0i, select(select(i32(_e9200), i32(-2147483648), (_e9200 < -2147483600f)), 2147483647i, (_e9200 > 2147483500f)), (_e9200 == _e9200)) & 31i)));
 let _e9212 = ((_e9210 & 1i) == 1i);
@@ -3177,30 +3237,30 @@ let _e9450 = ((_e9196.member_13.x + _e9196.member_13.y) + _e9196.member_13.z);
 if ((((_e9153 & 8u) != 0u) && (_e9438 < 24i)) && (((_e9428 + _e9429) + _e9430) > _e9450)) {
 if (_e9450 > 0f) {
 if (_e9196.member_14 == 0i) {
-phi_13136_ = 0i;
+phi_13141_ = 0i;
 } else {
-phi_13136_ = (_e9196.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e9196.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
+phi_13141_ = (_e9196.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e9196.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
 }
-let _e9494 = phi_13136_;
-phi_13138_ = _e9494;
+let _e9494 = phi_13141_;
+phi_13143_ = _e9494;
 } else {
-phi_13138_ = _e9196.member_14;
+phi_13143_ = _e9196.member_14;
 }
-let _e9496 = phi_13138_;
-let _e9518 = type_20(_e9196.member, _e9196.member_1, _e9196.member_2, _e9196.member_3, _e9196.member_4, _e9196.member_5, _e9196.member_6, _e9196.member_7, _e9196.member_8, _e9196.member_9, _e9196.member_10, _e9196.member_11, _e9196.member_12, _e9196.member_13, (_e9496 | (1i << bitcast<u32>((_e9438 & 31i)))), _e9196.member_15, _e9196.member_16, _e9196.member_17);
-let _e9546 = type_20(_e9518.member, _e9518.member_1, _e9518.member_2, _e9518.member_3, _e9518.member_4, _e9518.member_5, _e9518.member_6, _e9518.member_7, _e9518.member_8, _e9518.member_9, _e9518.member_10, _e9518.member_11, vec3<f32>((_e9196.member_12.x + _e9196.member_13.x), (_e9196.member_12.y + _e9196.member_13.y), (_e9196.member_12.z + _e9196.member_13.z)), _e9518.member_13, _e9518.member_14, _e9518.member_15, _e9518.member_16, _e9518.member_17);
-phi_13166_ = type_20(_e9546.member, _e9546.member_1, _e9546.member_2, _e9546.member_3, _e9546.member_4, _e9546.member_5, _e9546.member_6, _e9546.member_7, _e9546.member_8, _e9546.member_9, _e9546.member_10, _e9546.member_11, _e9546.member_12, vec3<f32>(_e9428, _e9429, _e9430), _e9546.member_14, _e9546.member_15, _e9546.member_16, _e9546.member_17);
+let _e9496 = phi_13143_;
+let _e9518 = type_25(_e9196.member, _e9196.member_1, _e9196.member_2, _e9196.member_3, _e9196.member_4, _e9196.member_5, _e9196.member_6, _e9196.member_7, _e9196.member_8, _e9196.member_9, _e9196.member_10, _e9196.member_11, _e9196.member_12, _e9196.member_13, (_e9496 | (1i << bitcast<u32>((_e9438 & 31i)))), _e9196.member_15, _e9196.member_16, _e9196.member_17);
+let _e9546 = type_25(_e9518.member, _e9518.member_1, _e9518.member_2, _e9518.member_3, _e9518.member_4, _e9518.member_5, _e9518.member_6, _e9518.member_7, _e9518.member_8, _e9518.member_9, _e9518.member_10, _e9518.member_11, vec3<f32>((_e9196.member_12.x + _e9196.member_13.x), (_e9196.member_12.y + _e9196.member_13.y), (_e9196.member_12.z + _e9196.member_13.z)), _e9518.member_13, _e9518.member_14, _e9518.member_15, _e9518.member_16, _e9518.member_17);
+phi_13171_ = type_25(_e9546.member, _e9546.member_1, _e9546.member_2, _e9546.member_3, _e9546.member_4, _e9546.member_5, _e9546.member_6, _e9546.member_7, _e9546.member_8, _e9546.member_9, _e9546.member_10, _e9546.member_11, _e9546.member_12, vec3<f32>(_e9428, _e9429, _e9430), _e9546.member_14, _e9546.member_15, _e9546.member_16, _e9546.member_17);
 } else {
-phi_13166_ = type_20(_e9196.member, _e9196.member_1, _e9196.member_2, _e9196.member_3, _e9196.member_4, _e9196.member_5, _e9196.member_6, _e9196.member_7, _e9196.member_8, _e9196.member_9, _e9196.member_10, _e9196.member_11, vec3<f32>((_e9196.member_12.x + _e9428), (_e9196.member_12.y + _e9429), (_e9196.member_12.z + _e9430)), _e9196.member_13, _e9196.member_14, _e9196.member_15, _e9196.member_16, _e9196.member_17);
+phi_13171_ = type_25(_e9196.member, _e9196.member_1, _e9196.member_2, _e9196.member_3, _e9196.member_4, _e9196.member_5, _e9196.member_6, _e9196.member_7, _e9196.member_8, _e9196.member_9, _e9196.member_10, _e9196.member_11, vec3<f32>((_e9196.member_12.x + _e9428), (_e9196.member_12.y + _e9429), (_e9196.member_12.z + _e9430)), _e9196.member_13, _e9196.member_14, _e9196.member_15, _e9196.member_16, _e9196.member_17);
 }
-let _e9566 = phi_13166_;
-phi_13167_ = _e9566;
+let _e9566 = phi_13171_;
+phi_13172_ = _e9566;
 } else {
-phi_13167_ = _e9196;
+phi_13172_ = _e9196;
 }
-let _e9568 = phi_13167_;
+let _e9568 = phi_13172_;
 let _e9570 = (_e9568.member_8 + 1f);
-let _e9588 = type_20(_e9568.member, _e9568.member_1, _e9568.member_2, _e9568.member_3, _e9568.member_4, _e9568.member_5, _e9568.member_6, _e9568.member_7, _e9570, _e9568.member_9, _e9568.member_10, _e9568.member_11, _e9568.member_12, _e9568.member_13, _e9568.member_14, _e9568.member_15, _e9568.member_16, _e9568.member_17);
+let _e9588 = type_25(_e9568.member, _e9568.member_1, _e9568.member_2, _e9568.member_3, _e9568.member_4, _e9568.member_5, _e9568.member_6, _e9568.member_7, _e9570, _e9568.member_9, _e9568.member_10, _e9568.member_11, _e9568.member_12, _e9568.member_13, _e9568.member_14, _e9568.member_15, _e9568.member_16, _e9568.member_17);
 let _e9592 = !(_e9212);
 let _e9593 = (((_e125.member_2 == 0u) && (_e9570 >= 2f)) && _e9592);
 if (_e9081 && _e9593) {
@@ -3211,28 +3271,28 @@ let _e9662 = (_e9568.member_1.z - (_e8692.member.z * _e9656));
 let _e9667 = (((_e9660 * _e9660) + (_e9661 * _e9661)) + (_e9662 * _e9662));
 let _e9670 = sqrt(select(0f, _e9667, (_e9667 > 0f)));
 let _e9673 = (1f / select(1e-20f, _e9670, (_e9670 > 1e-20f)));
-phi_13254_ = type_20(_e9588.member, vec3<f32>((_e9660 * _e9673), (_e9661 * _e9673), (_e9662 * _e9673)), _e9588.member_2, _e9588.member_3, _e9588.member_4, _e9588.member_5, _e9588.member_6, _e9588.member_7, _e9588.member_8, _e9588.member_9, _e9588.member_10, _e9588.member_11, _e9588.member_12, _e9588.member_13, _e9588.member_14, _e9588.member_15, _e9588.member_16, _e9588.member_17);
+phi_13259_ = type_25(_e9588.member, vec3<f32>((_e9660 * _e9673), (_e9661 * _e9673), (_e9662 * _e9673)), _e9588.member_2, _e9588.member_3, _e9588.member_4, _e9588.member_5, _e9588.member_6, _e9588.member_7, _e9588.member_8, _e9588.member_9, _e9588.member_10, _e9588.member_11, _e9588.member_12, _e9588.member_13, _e9588.member_14, _e9588.member_15, _e9588.member_16, _e9588.member_17);
 } else {
 if _e9212 {
 let _e9617 = (((_e9100 * _e9100) + (_e9101 * _e9101)) + (_e9102 * _e9102));
 let _e9620 = sqrt(select(0f, _e9617, (_e9617 > 0f)));
 let _e9623 = (1f / select(1e-20f, _e9620, (_e9620 > 1e-20f)));
-phi_13253_ = type_20(_e9588.member, vec3<f32>((_e9100 * _e9623), (_e9101 * _e9623), (_e9102 * _e9623)), _e9588.member_2, _e9588.member_3, _e9588.member_4, _e9588.member_5, _e9588.member_6, _e9588.member_7, _e9588.member_8, _e9588.member_9, _e9588.member_10, _e9588.member_11, _e9588.member_12, _e9588.member_13, _e9588.member_14, _e9588.member_15, _e9588.member_16, _e9588.member_17);
+phi_13258_ = type_25(_e9588.member, vec3<f32>((_e9100 * _e9623), (_e9101 * _e9623), (_e9102 * _e9623)), _e9588.member_2, _e9588.member_3, _e9588.member_4, _e9588.member_5, _e9588.member_6, _e9588.member_7, _e9588.member_8, _e9588.member_9, _e9588.member_10, _e9588.member_11, _e9588.member_12, _e9588.member_13, _e9588.member_14, _e9588.member_15, _e9588.member_16, _e9588.member_17);
 } else {
-phi_13253_ = type_20(_e9588.member, vec3<f32>((_e9103 * _e9116), (_e9104 * _e9116), (_e9105 * _e9116)), _e9588.member_2, _e9588.member_3, _e9588.member_4, _e9588.member_5, _e9588.member_6, _e9588.member_7, _e9588.member_8, _e9588.member_9, _e9588.member_10, _e9588.member_11, _e9588.member_12, _e9588.member_13, _e9588.member_14, _e9588.member_15, _e9588.member_16, _e9588.member_17);
+phi_13258_ = type_25(_e9588.member, vec3<f32>((_e9103 * _e9116), (_e9104 * _e9116), (_e9105 * _e9116)), _e9588.member_2, _e9588.member_3, _e9588.member_4, _e9588.member_5, _e9588.member_6, _e9588.member_7, _e9588.member_8, _e9588.member_9, _e9588.member_10, _e9588.member_11, _e9588.member_12, _e9588.member_13, _e9588.member_14, _e9588.member_15, _e9588.member_16, _e9588.member_17);
 }
-let _e9647 = phi_13253_;
-phi_13254_ = _e9647;
+let _e9647 = phi_13258_;
+phi_13259_ = _e9647;
 }
-let _e9697 = phi_13254_;
+let _e9697 = phi_13259_;
 if _e9081 {
-phi_13272_ = _e9697;
+phi_13277_ = _e9697;
 } else {
 let _e9699 = select((1f - _e9156), _e9156, _e9212);
-phi_13272_ = type_20(_e9697.member, _e9697.member_1, vec3<f32>((_e9697.member_2.x * _e9699), (_e9697.member_2.y * _e9699), (_e9697.member_2.z * _e9699)), _e9697.member_3, _e9697.member_4, _e9697.member_5, _e9697.member_6, _e9697.member_7, _e9697.member_8, _e9697.member_9, _e9697.member_10, _e9697.member_11, _e9697.member_12, _e9697.member_13, _e9697.member_14, _e9697.member_15, _e9697.member_16, _e9697.member_17);
+phi_13277_ = type_25(_e9697.member, _e9697.member_1, vec3<f32>((_e9697.member_2.x * _e9699), (_e9697.member_2.y * _e9699), (_e9697.member_2.z * _e9699)), _e9697.member_3, _e9697.member_4, _e9697.member_5, _e9697.member_6, _e9697.member_7, _e9697.member_8, _e9697.member_9, _e9697.member_10, _e9697.member_11, _e9697.member_12, _e9697.member_13, _e9697.member_14, _e9697.member_15, _e9697.member_16, _e9697.member_17);
 }
-let _e9729 = phi_13272_;
-let _e9747 = type_20(_e9729.member, _e9729.member_1, _e9729.member_2, _e9729.member_3, _e9729.member_4, 0f, _e9729.member_6, _e9729.member_7, _e9729.member_8, _e9729.member_9, _e9729.member_10, _e9729.member_11, _e9729.member_12, _e9729.member_13, _e9729.member_14, _e9729.member_15, _e9729.member_16, _e9729.member_17);
+let _e9729 = phi_13277_;
+let _e9747 = type_25(_e9729.member, _e9729.member_1, _e9729.member_2, _e9729.member_3, _e9729.member_4, 0f, _e9729.member_6, _e9729.member_7, _e9729.member_8, _e9729.member_9, _e9729.member_10, _e9729.member_11, _e9729.member_12, _e9729.member_13, _e9729.member_14, _e9729.member_15, _e9729.member_16, _e9729.member_17);
 let _e9754 = global_1.member.member_18.member.member;
 let _e9768 = ((((_e9754.member.member * _e9729.member.x) + (_e9754.member.member_1 * _e9729.member.y)) + (_e9754.member.member_2 * _e9729.member.z)) + _e9754.member_1);
 let _e9777 = -((((_e9754.member.member * _e9729.member_1.x) + (_e9754.member.member_1 * _e9729.member_1.y)) + (_e9754.member.member_2 * _e9729.member_1.z)));
@@ -3248,58 +3308,58 @@ let _e9817 = select(1e30f, select(0f, _e9814, (_e9814 > 0f)), ((_e9802 > 0f) && 
 let _e9821 = (_e9817 < _e9786);
 let _e9823 = select(select(-2i, -3i, _e9821), -1i, ((_e9786 >= 1e30f) && (_e9817 >= 1e30f)));
 let _e9824 = select(_e9786, _e9817, _e9821);
-let _e9842 = type_20(_e9747.member, _e9747.member_1, _e9747.member_2, _e9747.member_3, _e9747.member_4, _e9747.member_5, _e9747.member_6, _e9747.member_7, _e9747.member_8, _e9747.member_9, _e9747.member_10, _e9747.member_11, _e9747.member_12, _e9747.member_13, _e9747.member_14, 0i, _e9747.member_16, _e9747.member_17);
-let _e9860 = type_20(_e9842.member, _e9842.member_1, _e9842.member_2, _e9842.member_3, _e9842.member_4, _e9842.member_5, _e9842.member_6, _e9842.member_7, _e9842.member_8, _e9842.member_9, _e9842.member_10, _e9842.member_11, _e9842.member_12, _e9842.member_13, _e9842.member_14, _e9842.member_15, _e9823, _e9842.member_17);
-let _e9878 = type_20(_e9860.member, _e9860.member_1, _e9860.member_2, _e9860.member_3, _e9860.member_4, _e9860.member_5, _e9860.member_6, _e9860.member_7, _e9860.member_8, _e9860.member_9, _e9860.member_10, _e9860.member_11, _e9860.member_12, _e9860.member_13, _e9860.member_14, _e9860.member_15, _e9860.member_16, _e9824);
+let _e9842 = type_25(_e9747.member, _e9747.member_1, _e9747.member_2, _e9747.member_3, _e9747.member_4, _e9747.member_5, _e9747.member_6, _e9747.member_7, _e9747.member_8, _e9747.member_9, _e9747.member_10, _e9747.member_11, _e9747.member_12, _e9747.member_13, _e9747.member_14, 0i, _e9747.member_16, _e9747.member_17);
+let _e9860 = type_25(_e9842.member, _e9842.member_1, _e9842.member_2, _e9842.member_3, _e9842.member_4, _e9842.member_5, _e9842.member_6, _e9842.member_7, _e9842.member_8, _e9842.member_9, _e9842.member_10, _e9842.member_11, _e9842.member_12, _e9842.member_13, _e9842.member_14, _e9842.member_15, _e9823, _e9842.member_17);
+let _e9878 = type_25(_e9860.member, _e9860.member_1, _e9860.member_2, _e9860.member_3, _e9860.member_4, _e9860.member_5, _e9860.member_6, _e9860.member_7, _e9860.member_8, _e9860.member_9, _e9860.member_10, _e9860.member_11, _e9860.member_12, _e9860.member_13, _e9860.member_14, _e9860.member_15, _e9860.member_16, _e9824);
 let _e9879 = (_e9081 || _e9212);
 let _e9881 = local_19;
 let _e9884 = ((_e9153 & 2u) != 0u);
 if (_e9593 && !(_e9884)) {
 if (_e9823 == -1i) {
-phi_13699_ = type_20(_e9878.member, _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, 1f, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
+phi_13704_ = type_25(_e9878.member, _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, 1f, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
 } else {
-let _e9970 = type_20(vec3<f32>((_e9729.member.x + (_e9729.member_1.x * _e9824)), (_e9729.member.y + (_e9729.member_1.y * _e9824)), (_e9729.member.z + (_e9729.member_1.z * _e9824))), _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, _e9878.member_6, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
-let _e9989 = type_20(_e9970.member, _e9970.member_1, _e9970.member_2, _e9970.member_3, _e9970.member_4, (0f + _e9824), _e9970.member_6, _e9970.member_7, _e9970.member_8, _e9970.member_9, _e9970.member_10, _e9970.member_11, _e9970.member_12, _e9970.member_13, _e9970.member_14, _e9970.member_15, _e9970.member_16, _e9970.member_17);
-let _e10008 = type_20(_e9989.member, _e9989.member_1, _e9989.member_2, _e9989.member_3, _e9989.member_4, _e9989.member_5, _e9989.member_6, _e9989.member_7, _e9989.member_8, _e9989.member_9, _e9989.member_10, _e9989.member_11, _e9989.member_12, _e9989.member_13, _e9989.member_14, _e9989.member_15, _e9989.member_16, (_e9824 - _e9824));
-let _e10031 = type_20(_e10008.member, _e10008.member_1, _e10008.member_2, _e10008.member_3, _e10008.member_4, _e10008.member_5, _e10008.member_6, _e10008.member_7, _e10008.member_8, _e10008.member_9, (_e9729.member_10 + select(0f, _e9824, (_e9729.member_8 == 0f))), _e10008.member_11, _e10008.member_12, _e10008.member_13, _e10008.member_14, _e10008.member_15, _e10008.member_16, _e10008.member_17);
-phi_13699_ = type_20(_e10031.member, _e10031.member_1, _e10031.member_2, _e10031.member_3, _e10031.member_4, _e10031.member_5, 3f, _e10031.member_7, _e10031.member_8, _e10031.member_9, _e10031.member_10, _e10031.member_11, _e10031.member_12, _e10031.member_13, _e10031.member_14, _e10031.member_15, _e10031.member_16, _e10031.member_17);
+let _e9970 = type_25(vec3<f32>((_e9729.member.x + (_e9729.member_1.x * _e9824)), (_e9729.member.y + (_e9729.member_1.y * _e9824)), (_e9729.member.z + (_e9729.member_1.z * _e9824))), _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, _e9878.member_6, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
+let _e9989 = type_25(_e9970.member, _e9970.member_1, _e9970.member_2, _e9970.member_3, _e9970.member_4, (0f + _e9824), _e9970.member_6, _e9970.member_7, _e9970.member_8, _e9970.member_9, _e9970.member_10, _e9970.member_11, _e9970.member_12, _e9970.member_13, _e9970.member_14, _e9970.member_15, _e9970.member_16, _e9970.member_17);
+let _e10008 = type_25(_e9989.member, _e9989.member_1, _e9989.member_2, _e9989.member_3, _e9989.member_4, _e9989.member_5, _e9989.member_6, _e9989.member_7, _e9989.member_8, _e9989.member_9, _e9989.member_10, _e9989.member_11, _e9989.member_12, _e9989.member_13, _e9989.member_14, _e9989.member_15, _e9989.member_16, (_e9824 - _e9824));
+let _e10031 = type_25(_e10008.member, _e10008.member_1, _e10008.member_2, _e10008.member_3, _e10008.member_4, _e10008.member_5, _e10008.member_6, _e10008.member_7, _e10008.member_8, _e10008.member_9, (_e9729.member_10 + select(0f, _e9824, (_e9729.member_8 == 0f))), _e10008.member_11, _e10008.member_12, _e10008.member_13, _e10008.member_14, _e10008.member_15, _e10008.member_16, _e10008.member_17);
+phi_13704_ = type_25(_e10031.member, _e10031.member_1, _e10031.member_2, _e10031.member_3, _e10031.member_4, _e10031.member_5, 3f, _e10031.member_7, _e10031.member_8, _e10031.member_9, _e10031.member_10, _e10031.member_11, _e10031.member_12, _e10031.member_13, _e10031.member_14, _e10031.member_15, _e10031.member_16, _e10031.member_17);
 }
-let _e10069 = phi_13699_;
-phi_13722_ = _e10069;
+let _e10069 = phi_13704_;
+phi_13727_ = _e10069;
 } else {
 let _e9892 = global_1.member.member_5;
 if (((!(_e9593) && _e9592) && (_e9729.member_8 >= f32(bitcast<i32>(_e9892)))) && (select(_e9881, _e919.member_7, _e9879) != 16i)) {
-phi_13721_ = type_20(_e9878.member, _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, 2f, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
+phi_13726_ = type_25(_e9878.member, _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, 2f, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
 } else {
 if _e9884 {
-phi_13720_ = type_20(_e9878.member, _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, 4f, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
+phi_13725_ = type_25(_e9878.member, _e9878.member_1, _e9878.member_2, _e9878.member_3, _e9878.member_4, _e9878.member_5, 4f, _e9878.member_7, _e9878.member_8, _e9878.member_9, _e9878.member_10, _e9878.member_11, _e9878.member_12, _e9878.member_13, _e9878.member_14, _e9878.member_15, _e9878.member_16, _e9878.member_17);
 } else {
-phi_13720_ = _e9878;
+phi_13725_ = _e9878;
 }
-let _e9918 = phi_13720_;
-phi_13721_ = _e9918;
+let _e9918 = phi_13725_;
+phi_13726_ = _e9918;
 }
-let _e9938 = phi_13721_;
-phi_13722_ = _e9938;
+let _e9938 = phi_13726_;
+phi_13727_ = _e9938;
 }
-let _e10071 = phi_13722_;
+let _e10071 = phi_13727_;
 let _e10074 = local_20;
-let _e10093 = type_20(_e10071.member, _e10071.member_1, _e10071.member_2, _e10071.member_3, _e10071.member_4, _e10071.member_5, _e10071.member_6, select(_e919.member_7, _e10074, !(_e9879)), _e10071.member_8, _e10071.member_9, _e10071.member_10, _e10071.member_11, _e10071.member_12, _e10071.member_13, _e10071.member_14, _e10071.member_15, _e10071.member_16, _e10071.member_17);
-phi_13730_ = type_20(_e10093.member, _e10093.member_1, _e10093.member_2, _e10093.member_3, _e8692.member, _e10093.member_5, _e10093.member_6, _e10093.member_7, _e10093.member_8, _e10093.member_9, _e10093.member_10, _e10093.member_11, _e10093.member_12, _e10093.member_13, _e10093.member_14, _e10093.member_15, _e10093.member_16, _e10093.member_17);
+let _e10093 = type_25(_e10071.member, _e10071.member_1, _e10071.member_2, _e10071.member_3, _e10071.member_4, _e10071.member_5, _e10071.member_6, select(_e919.member_7, _e10074, !(_e9879)), _e10071.member_8, _e10071.member_9, _e10071.member_10, _e10071.member_11, _e10071.member_12, _e10071.member_13, _e10071.member_14, _e10071.member_15, _e10071.member_16, _e10071.member_17);
+phi_13735_ = type_25(_e10093.member, _e10093.member_1, _e10093.member_2, _e10093.member_3, _e8692.member, _e10093.member_5, _e10093.member_6, _e10093.member_7, _e10093.member_8, _e10093.member_9, _e10093.member_10, _e10093.member_11, _e10093.member_12, _e10093.member_13, _e10093.member_14, _e10093.member_15, _e10093.member_16, _e10093.member_17);
 }
-let _e10113 = phi_13730_;
-phi_13731_ = _e10113;
-phi_13732_ = _e8722;
+let _e10113 = phi_13735_;
+phi_13736_ = _e10113;
+phi_13737_ = _e8722;
 }
-let _e10115 = phi_13731_;
-let _e10117 = phi_13732_;
+let _e10115 = phi_13736_;
+let _e10117 = phi_13737_;
 if (_e10117 && _e1129) {
-let _e10626 = type_20(vec3<f32>((_e10115.member.x + (_e10115.member_1.x * _e10115.member_17)), (_e10115.member.y + (_e10115.member_1.y * _e10115.member_17)), (_e10115.member.z + (_e10115.member_1.z * _e10115.member_17))), _e10115.member_1, _e10115.member_2, _e10115.member_3, _e10115.member_4, _e10115.member_5, _e10115.member_6, _e10115.member_7, _e10115.member_8, _e10115.member_9, _e10115.member_10, _e10115.member_11, _e10115.member_12, _e10115.member_13, _e10115.member_14, _e10115.member_15, _e10115.member_16, _e10115.member_17);
-let _e10646 = type_20(_e10626.member, _e10626.member_1, _e10626.member_2, _e10626.member_3, _e10626.member_4, (_e10115.member_5 + _e10115.member_17), _e10626.member_6, _e10626.member_7, _e10626.member_8, _e10626.member_9, _e10626.member_10, _e10626.member_11, _e10626.member_12, _e10626.member_13, _e10626.member_14, _e10626.member_15, _e10626.member_16, _e10626.member_17);
-let _e10665 = type_20(_e10646.member, _e10646.member_1, _e10646.member_2, _e10646.member_3, _e10646.member_4, _e10646.member_5, _e10646.member_6, _e10646.member_7, _e10646.member_8, _e10646.member_9, _e10646.member_10, _e10646.member_11, _e10646.member_12, _e10646.member_13, _e10646.member_14, _e10646.member_15, _e10646.member_16, (_e10115.member_17 - _e10115.member_17));
-let _e10688 = type_20(_e10665.member, _e10665.member_1, _e10665.member_2, _e10665.member_3, _e10665.member_4, _e10665.member_5, _e10665.member_6, _e10665.member_7, _e10665.member_8, _e10665.member_9, (_e10115.member_10 + select(0f, _e10115.member_17, (_e10115.member_8 == 0f))), _e10665.member_11, _e10665.member_12, _e10665.member_13, _e10665.member_14, _e10665.member_15, _e10665.member_16, _e10665.member_17);
+let _e10626 = type_25(vec3<f32>((_e10115.member.x + (_e10115.member_1.x * _e10115.member_17)), (_e10115.member.y + (_e10115.member_1.y * _e10115.member_17)), (_e10115.member.z + (_e10115.member_1.z * _e10115.member_17))), _e10115.member_1, _e10115.member_2, _e10115.member_3, _e10115.member_4, _e10115.member_5, _e10115.member_6, _e10115.member_7, _e10115.member_8, _e10115.member_9, _e10115.member_10, _e10115.member_11, _e10115.member_12, _e10115.member_13, _e10115.member_14, _e10115.member_15, _e10115.member_16, _e10115.member_17);
+let _e10646 = type_25(_e10626.member, _e10626.member_1, _e10626.member_2, _e10626.member_3, _e10626.member_4, (_e10115.member_5 + _e10115.member_17), _e10626.member_6, _e10626.member_7, _e10626.member_8, _e10626.member_9, _e10626.member_10, _e10626.member_11, _e10626.member_12, _e10626.member_13, _e10626.member_14, _e10626.member_15, _e10626.member_16, _e10626.member_17);
+let _e10665 = type_25(_e10646.member, _e10646.member_1, _e10646.member_2, _e10646.member_3, _e10646.member_4, _e10646.member_5, _e10646.member_6, _e10646.member_7, _e10646.member_8, _e10646.member_9, _e10646.member_10, _e10646.member_11, _e10646.member_12, _e10646.member_13, _e10646.member_14, _e10646.member_15, _e10646.member_16, (_e10115.member_17 - _e10115.member_17));
+let _e10688 = type_25(_e10665.member, _e10665.member_1, _e10665.member_2, _e10665.member_3, _e10665.member_4, _e10665.member_5, _e10665.member_6, _e10665.member_7, _e10665.member_8, _e10665.member_9, (_e10115.member_10 + select(0f, _e10115.member_17, (_e10115.member_8 == 0f))), _e10665.member_11, _e10665.member_12, _e10665.member_13, _e10665.member_14, _e10665.member_15, _e10665.member_16, _e10665.member_17);
 if (_e919.member_7 != 16i) {
-let _e10709 = type_20(_e10688.member, _e10688.member_1, _e10688.member_2, _e10688.member_3, _e10688.member_4, _e10688.member_5, _e10688.member_6, _e10688.member_7, _e10688.member_8, (_e10115.member_9 + _e10115.member_17), _e10688.member_10, _e10688.member_11, _e10688.member_12, _e10688.member_13, _e10688.member_14, _e10688.member_15, _e10688.member_16, _e10688.member_17);
+let _e10709 = type_25(_e10688.member, _e10688.member_1, _e10688.member_2, _e10688.member_3, _e10688.member_4, _e10688.member_5, _e10688.member_6, _e10688.member_7, _e10688.member_8, (_e10115.member_9 + _e10115.member_17), _e10688.member_10, _e10688.member_11, _e10688.member_12, _e10688.member_13, _e10688.member_14, _e10688.member_15, _e10688.member_16, _e10688.member_17);
 let _e10710 = (_e919.member_7 * 4i);
 let _e10711 = (_e10710 + 1i);
 let _e10713 = (bitcast<i32>(_e118) - 1i);
@@ -3341,20 +3401,20 @@ let _e10854 = select(0i, select(select(i32(_e10847), i32(-2147483648), (_e10847 
 let _e10858 = (_e10854 - select(0i, 1i, (_e10847 < f32(_e10854))));
 let _e10859 = f32(_e10858);
 let _e10863 = ((_e10841 - (_e10859 * 0.6933594f)) - (_e10859 * -2.1219444e-4f));
-phi_14022_ = type_20(_e10709.member, _e10709.member_1, vec3<f32>((_e10115.member_2.x * ((1f + (_e10749 * (1f + (_e10749 * (0.5f + (_e10749 * (0.16666667f + (_e10749 * (0.041666668f + (_e10749 * (0.008333334f + (_e10749 * (0.001388889f + (_e10749 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10744 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.y * ((1f + (_e10806 * (1f + (_e10806 * (0.5f + (_e10806 * (0.16666667f + (_e10806 * (0.041666668f + (_e10806 * (0.008333334f + (_e10806 * (0.001388889f + (_e10806 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10801 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.z * ((1f + (_e10863 * (1f + (_e10863 * (0.5f + (_e10863 * (0.16666667f + (_e10863 * (0.041666668f + (_e10863 * (0.008333334f + (_e10863 * (0.001388889f + (_e10863 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10858 + 127i)) << bitcast<u32>(23i)))))), _e10709.member_3, _e10709.member_4, _e10709.member_5, _e10709.member_6, _e10709.member_7, _e10709.member_8, _e10709.member_9, _e10709.member_10, _e10709.member_11, _e10709.member_12, _e10709.member_13, _e10709.member_14, _e10709.member_15, _e10709.member_16, _e10709.member_17);
+phi_14027_ = type_25(_e10709.member, _e10709.member_1, vec3<f32>((_e10115.member_2.x * ((1f + (_e10749 * (1f + (_e10749 * (0.5f + (_e10749 * (0.16666667f + (_e10749 * (0.041666668f + (_e10749 * (0.008333334f + (_e10749 * (0.001388889f + (_e10749 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10744 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.y * ((1f + (_e10806 * (1f + (_e10806 * (0.5f + (_e10806 * (0.16666667f + (_e10806 * (0.041666668f + (_e10806 * (0.008333334f + (_e10806 * (0.001388889f + (_e10806 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10801 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.z * ((1f + (_e10863 * (1f + (_e10863 * (0.5f + (_e10863 * (0.16666667f + (_e10863 * (0.041666668f + (_e10863 * (0.008333334f + (_e10863 * (0.001388889f + (_e10863 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10858 + 127i)) << bitcast<u32>(23i)))))), _e10709.member_3, _e10709.member_4, _e10709.member_5, _e10709.member_6, _e10709.member_7, _e10709.member_8, _e10709.member_9, _e10709.member_10, _e10709.member_11, _e10709.member_12, _e10709.member_13, _e10709.member_14, _e10709.member_15, _e10709.member_16, _e10709.member_17);
 } else {
-phi_14022_ = _e10688;
+phi_14027_ = _e10688;
 }
-let _e10913 = phi_14022_;
-phi_14616_ = type_20(_e10913.member, _e10913.member_1, _e10913.member_2, _e10913.member_3, _e10913.member_4, _e10913.member_5, 3f, _e10913.member_7, _e10913.member_8, _e10913.member_9, _e10913.member_10, _e10913.member_11, _e10913.member_12, _e10913.member_13, _e10913.member_14, _e10913.member_15, _e10913.member_16, _e10913.member_17);
+let _e10913 = phi_14027_;
+phi_14621_ = type_25(_e10913.member, _e10913.member_1, _e10913.member_2, _e10913.member_3, _e10913.member_4, _e10913.member_5, 3f, _e10913.member_7, _e10913.member_8, _e10913.member_9, _e10913.member_10, _e10913.member_11, _e10913.member_12, _e10913.member_13, _e10913.member_14, _e10913.member_15, _e10913.member_16, _e10913.member_17);
 } else {
 if _e10117 {
-let _e10153 = type_20(vec3<f32>((_e10115.member.x + (_e10115.member_1.x * _e1130)), (_e10115.member.y + (_e10115.member_1.y * _e1130)), (_e10115.member.z + (_e10115.member_1.z * _e1130))), _e10115.member_1, _e10115.member_2, _e10115.member_3, _e10115.member_4, _e10115.member_5, _e10115.member_6, _e10115.member_7, _e10115.member_8, _e10115.member_9, _e10115.member_10, _e10115.member_11, _e10115.member_12, _e10115.member_13, _e10115.member_14, _e10115.member_15, _e10115.member_16, _e10115.member_17);
-let _e10173 = type_20(_e10153.member, _e10153.member_1, _e10153.member_2, _e10153.member_3, _e10153.member_4, (_e10115.member_5 + _e1130), _e10153.member_6, _e10153.member_7, _e10153.member_8, _e10153.member_9, _e10153.member_10, _e10153.member_11, _e10153.member_12, _e10153.member_13, _e10153.member_14, _e10153.member_15, _e10153.member_16, _e10153.member_17);
-let _e10193 = type_20(_e10173.member, _e10173.member_1, _e10173.member_2, _e10173.member_3, _e10173.member_4, _e10173.member_5, _e10173.member_6, _e10173.member_7, _e10173.member_8, _e10173.member_9, _e10173.member_10, _e10173.member_11, _e10173.member_12, _e10173.member_13, _e10173.member_14, _e10173.member_15, _e10173.member_16, (_e10115.member_17 - _e1130));
-let _e10216 = type_20(_e10193.member, _e10193.member_1, _e10193.member_2, _e10193.member_3, _e10193.member_4, _e10193.member_5, _e10193.member_6, _e10193.member_7, _e10193.member_8, _e10193.member_9, (_e10115.member_10 + select(0f, _e1130, (_e10115.member_8 == 0f))), _e10193.member_11, _e10193.member_12, _e10193.member_13, _e10193.member_14, _e10193.member_15, _e10193.member_16, _e10193.member_17);
+let _e10153 = type_25(vec3<f32>((_e10115.member.x + (_e10115.member_1.x * _e1130)), (_e10115.member.y + (_e10115.member_1.y * _e1130)), (_e10115.member.z + (_e10115.member_1.z * _e1130))), _e10115.member_1, _e10115.member_2, _e10115.member_3, _e10115.member_4, _e10115.member_5, _e10115.member_6, _e10115.member_7, _e10115.member_8, _e10115.member_9, _e10115.member_10, _e10115.member_11, _e10115.member_12, _e10115.member_13, _e10115.member_14, _e10115.member_15, _e10115.member_16, _e10115.member_17);
+let _e10173 = type_25(_e10153.member, _e10153.member_1, _e10153.member_2, _e10153.member_3, _e10153.member_4, (_e10115.member_5 + _e1130), _e10153.member_6, _e10153.member_7, _e10153.member_8, _e10153.member_9, _e10153.member_10, _e10153.member_11, _e10153.member_12, _e10153.member_13, _e10153.member_14, _e10153.member_15, _e10153.member_16, _e10153.member_17);
+let _e10193 = type_25(_e10173.member, _e10173.member_1, _e10173.member_2, _e10173.member_3, _e10173.member_4, _e10173.member_5, _e10173.member_6, _e10173.member_7, _e10173.member_8, _e10173.member_9, _e10173.member_10, _e10173.member_11, _e10173.member_12, _e10173.member_13, _e10173.member_14, _e10173.member_15, _e10173.member_16, (_e10115.member_17 - _e1130));
+let _e10216 = type_25(_e10193.member, _e10193.member_1, _e10193.member_2, _e10193.member_3, _e10193.member_4, _e10193.member_5, _e10193.member_6, _e10193.member_7, _e10193.member_8, _e10193.member_9, (_e10115.member_10 + select(0f, _e1130, (_e10115.member_8 == 0f))), _e10193.member_11, _e10193.member_12, _e10193.member_13, _e10193.member_14, _e10193.member_15, _e10193.member_16, _e10193.member_17);
 if (_e919.member_7 != 16i) {
-let _e10237 = type_20(_e10216.member, _e10216.member_1, _e10216.member_2, _e10216.member_3, _e10216.member_4, _e10216.member_5, _e10216.member_6, _e10216.member_7, _e10216.member_8, (_e10115.member_9 + _e1130), _e10216.member_10, _e10216.member_11, _e10216.member_12, _e10216.member_13, _e10216.member_14, _e10216.member_15, _e10216.member_16, _e10216.member_17);
+let _e10237 = type_25(_e10216.member, _e10216.member_1, _e10216.member_2, _e10216.member_3, _e10216.member_4, _e10216.member_5, _e10216.member_6, _e10216.member_7, _e10216.member_8, (_e10115.member_9 + _e1130), _e10216.member_10, _e10216.member_11, _e10216.member_12, _e10216.member_13, _e10216.member_14, _e10216.member_15, _e10216.member_16, _e10216.member_17);
 let _e10238 = (_e919.member_7 * 4i);
 let _e10239 = (_e10238 + 1i);
 let _e10241 = (bitcast<i32>(_e118) - 1i);
@@ -3396,48 +3456,48 @@ let _e10382 = select(0i, select(select(i32(_e10375), i32(-2147483648), (_e10375 
 let _e10386 = (_e10382 - select(0i, 1i, (_e10375 < f32(_e10382))));
 let _e10387 = f32(_e10386);
 let _e10391 = ((_e10369 - (_e10387 * 0.6933594f)) - (_e10387 * -2.1219444e-4f));
-phi_14311_ = type_20(_e10237.member, _e10237.member_1, vec3<f32>((_e10115.member_2.x * ((1f + (_e10277 * (1f + (_e10277 * (0.5f + (_e10277 * (0.16666667f + (_e10277 * (0.041666668f + (_e10277 * (0.008333334f + (_e10277 * (0.001388889f + (_e10277 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10272 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.y * ((1f + (_e10334 * (1f + (_e10334 * (0.5f + (_e10334 * (0.16666667f + (_e10334 * (0.041666668f + (_e10334 * (0.008333334f + (_e10334 * (0.001388889f + (_e10334 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10329 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.z * ((1f + (_e10391 * (1f + (_e10391 * (0.5f + (_e10391 * (0.16666667f + (_e10391 * (0.041666668f + (_e10391 * (0.008333334f + (_e10391 * (0.001388889f + (_e10391 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10386 + 127i)) << bitcast<u32>(23i)))))), _e10237.member_3, _e10237.member_4, _e10237.member_5, _e10237.member_6, _e10237.member_7, _e10237.member_8, _e10237.member_9, _e10237.member_10, _e10237.member_11, _e10237.member_12, _e10237.member_13, _e10237.member_14, _e10237.member_15, _e10237.member_16, _e10237.member_17);
+phi_14316_ = type_25(_e10237.member, _e10237.member_1, vec3<f32>((_e10115.member_2.x * ((1f + (_e10277 * (1f + (_e10277 * (0.5f + (_e10277 * (0.16666667f + (_e10277 * (0.041666668f + (_e10277 * (0.008333334f + (_e10277 * (0.001388889f + (_e10277 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10272 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.y * ((1f + (_e10334 * (1f + (_e10334 * (0.5f + (_e10334 * (0.16666667f + (_e10334 * (0.041666668f + (_e10334 * (0.008333334f + (_e10334 * (0.001388889f + (_e10334 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10329 + 127i)) << bitcast<u32>(23i))))), (_e10115.member_2.z * ((1f + (_e10391 * (1f + (_e10391 * (0.5f + (_e10391 * (0.16666667f + (_e10391 * (0.041666668f + (_e10391 * (0.008333334f + (_e10391 * (0.001388889f + (_e10391 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10386 + 127i)) << bitcast<u32>(23i)))))), _e10237.member_3, _e10237.member_4, _e10237.member_5, _e10237.member_6, _e10237.member_7, _e10237.member_8, _e10237.member_9, _e10237.member_10, _e10237.member_11, _e10237.member_12, _e10237.member_13, _e10237.member_14, _e10237.member_15, _e10237.member_16, _e10237.member_17);
 } else {
-phi_14311_ = _e10216;
+phi_14316_ = _e10216;
 }
-let _e10441 = phi_14311_;
+let _e10441 = phi_14316_;
 let _e10444 = local_21;
 if (((_e980 <= 0f) && (_e10444 == 16i)) && (_e919.member_7 == 16i)) {
 if (_e10441.member_16 == -1i) {
-phi_14613_ = type_20(_e10441.member, _e10441.member_1, _e10441.member_2, _e10441.member_3, _e10441.member_4, _e10441.member_5, 1f, _e10441.member_7, _e10441.member_8, _e10441.member_9, _e10441.member_10, _e10441.member_11, _e10441.member_12, _e10441.member_13, _e10441.member_14, _e10441.member_15, _e10441.member_16, _e10441.member_17);
+phi_14618_ = type_25(_e10441.member, _e10441.member_1, _e10441.member_2, _e10441.member_3, _e10441.member_4, _e10441.member_5, 1f, _e10441.member_7, _e10441.member_8, _e10441.member_9, _e10441.member_10, _e10441.member_11, _e10441.member_12, _e10441.member_13, _e10441.member_14, _e10441.member_15, _e10441.member_16, _e10441.member_17);
 } else {
-let _e10486 = type_20(vec3<f32>((_e10441.member.x + (_e10441.member_1.x * _e10441.member_17)), (_e10441.member.y + (_e10441.member_1.y * _e10441.member_17)), (_e10441.member.z + (_e10441.member_1.z * _e10441.member_17))), _e10441.member_1, _e10441.member_2, _e10441.member_3, _e10441.member_4, _e10441.member_5, _e10441.member_6, _e10441.member_7, _e10441.member_8, _e10441.member_9, _e10441.member_10, _e10441.member_11, _e10441.member_12, _e10441.member_13, _e10441.member_14, _e10441.member_15, _e10441.member_16, _e10441.member_17);
-let _e10506 = type_20(_e10486.member, _e10486.member_1, _e10486.member_2, _e10486.member_3, _e10486.member_4, (_e10441.member_5 + _e10441.member_17), _e10486.member_6, _e10486.member_7, _e10486.member_8, _e10486.member_9, _e10486.member_10, _e10486.member_11, _e10486.member_12, _e10486.member_13, _e10486.member_14, _e10486.member_15, _e10486.member_16, _e10486.member_17);
-let _e10525 = type_20(_e10506.member, _e10506.member_1, _e10506.member_2, _e10506.member_3, _e10506.member_4, _e10506.member_5, _e10506.member_6, _e10506.member_7, _e10506.member_8, _e10506.member_9, _e10506.member_10, _e10506.member_11, _e10506.member_12, _e10506.member_13, _e10506.member_14, _e10506.member_15, _e10506.member_16, (_e10441.member_17 - _e10441.member_17));
-let _e10548 = type_20(_e10525.member, _e10525.member_1, _e10525.member_2, _e10525.member_3, _e10525.member_4, _e10525.member_5, _e10525.member_6, _e10525.member_7, _e10525.member_8, _e10525.member_9, (_e10441.member_10 + select(0f, _e10441.member_17, (_e10441.member_8 == 0f))), _e10525.member_11, _e10525.member_12, _e10525.member_13, _e10525.member_14, _e10525.member_15, _e10525.member_16, _e10525.member_17);
-phi_14613_ = type_20(_e10548.member, _e10548.member_1, _e10548.member_2, _e10548.member_3, _e10548.member_4, _e10548.member_5, 3f, _e10548.member_7, _e10548.member_8, _e10548.member_9, _e10548.member_10, _e10548.member_11, _e10548.member_12, _e10548.member_13, _e10548.member_14, _e10548.member_15, _e10548.member_16, _e10548.member_17);
+let _e10486 = type_25(vec3<f32>((_e10441.member.x + (_e10441.member_1.x * _e10441.member_17)), (_e10441.member.y + (_e10441.member_1.y * _e10441.member_17)), (_e10441.member.z + (_e10441.member_1.z * _e10441.member_17))), _e10441.member_1, _e10441.member_2, _e10441.member_3, _e10441.member_4, _e10441.member_5, _e10441.member_6, _e10441.member_7, _e10441.member_8, _e10441.member_9, _e10441.member_10, _e10441.member_11, _e10441.member_12, _e10441.member_13, _e10441.member_14, _e10441.member_15, _e10441.member_16, _e10441.member_17);
+let _e10506 = type_25(_e10486.member, _e10486.member_1, _e10486.member_2, _e10486.member_3, _e10486.member_4, (_e10441.member_5 + _e10441.member_17), _e10486.member_6, _e10486.member_7, _e10486.member_8, _e10486.member_9, _e10486.member_10, _e10486.member_11, _e10486.member_12, _e10486.member_13, _e10486.member_14, _e10486.member_15, _e10486.member_16, _e10486.member_17);
+let _e10525 = type_25(_e10506.member, _e10506.member_1, _e10506.member_2, _e10506.member_3, _e10506.member_4, _e10506.member_5, _e10506.member_6, _e10506.member_7, _e10506.member_8, _e10506.member_9, _e10506.member_10, _e10506.member_11, _e10506.member_12, _e10506.member_13, _e10506.member_14, _e10506.member_15, _e10506.member_16, (_e10441.member_17 - _e10441.member_17));
+let _e10548 = type_25(_e10525.member, _e10525.member_1, _e10525.member_2, _e10525.member_3, _e10525.member_4, _e10525.member_5, _e10525.member_6, _e10525.member_7, _e10525.member_8, _e10525.member_9, (_e10441.member_10 + select(0f, _e10441.member_17, (_e10441.member_8 == 0f))), _e10525.member_11, _e10525.member_12, _e10525.member_13, _e10525.member_14, _e10525.member_15, _e10525.member_16, _e10525.member_17);
+phi_14618_ = type_25(_e10548.member, _e10548.member_1, _e10548.member_2, _e10548.member_3, _e10548.member_4, _e10548.member_5, 3f, _e10548.member_7, _e10548.member_8, _e10548.member_9, _e10548.member_10, _e10548.member_11, _e10548.member_12, _e10548.member_13, _e10548.member_14, _e10548.member_15, _e10548.member_16, _e10548.member_17);
 }
-let _e10586 = phi_14613_;
-phi_14614_ = _e10586;
+let _e10586 = phi_14618_;
+phi_14619_ = _e10586;
 } else {
-phi_14614_ = _e10441;
+phi_14619_ = _e10441;
 }
-let _e10588 = phi_14614_;
-phi_14615_ = _e10588;
+let _e10588 = phi_14619_;
+phi_14620_ = _e10588;
 } else {
-phi_14615_ = _e10115;
+phi_14620_ = _e10115;
 }
-let _e10590 = phi_14615_;
-phi_14616_ = _e10590;
+let _e10590 = phi_14620_;
+phi_14621_ = _e10590;
 }
-let _e10933 = phi_14616_;
-phi_1348_ = _e10933;
-phi_1351_ = (_e921 + 1i);
+let _e10933 = phi_14621_;
+phi_1353_ = _e10933;
+phi_1356_ = (_e921 + 1i);
 } else {
-phi_1348_ = type_20();
-phi_1351_ = i32();
+phi_1353_ = type_25();
+phi_1356_ = i32();
 }
-let _e10935 = phi_1348_;
-let _e10937 = phi_1351_;
+let _e10935 = phi_1353_;
+let _e10937 = phi_1356_;
 continue;
 continuing {
-phi_1347_ = _e10935;
-phi_1350_ = _e10937;
+phi_1352_ = _e10935;
+phi_1355_ = _e10937;
 break if !(_e925);
 }
 }

@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,16 +149,17 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
-}
-struct type_14 {
-member: type_13,
-}
-struct type_16 {
-member: array<f32>,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
 struct type_19 {
+member: type_18,
+}
+struct type_21 {
+member: array<f32>,
+}
+struct type_24 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -119,84 +179,84 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_21 {
+struct type_26 {
 member: array<u32>,
 }
-struct type_24 {
+struct type_29 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(4)
-var<storage> global_2: type_16;
+var<storage> global_2: type_21;
 @group(0) @binding(5)
-var<storage, read_write> global_3: type_16;
+var<storage, read_write> global_3: type_21;
 @group(0) @binding(6)
-var<storage, read_write> global_4: type_24;
+var<storage, read_write> global_4: type_29;
 @group(0) @binding(1)
-var<storage> global_5: type_21;
+var<storage> global_5: type_26;
 @group(0) @binding(2)
-var<storage> global_6: type_21;
+var<storage> global_6: type_26;
 @group(0) @binding(3)
-var<storage> global_7: type_16;
+var<storage> global_7: type_21;
 fn function_() {
-var phi_773_: u32;
-var phi_863_: type_19;
-var phi_866_: i32;
-var phi_1485_: type_19;
-var phi_1198_: type_19;
-var phi_1486_: type_19;
-var phi_2296_: type_19;
-var phi_2694_: i32;
-var phi_2696_: i32;
-var phi_2724_: type_19;
-var phi_2725_: type_19;
-var phi_2805_: type_19;
-var phi_2806_: type_19;
-var phi_2824_: type_19;
-var phi_3272_: type_19;
-var phi_3273_: type_19;
-var phi_3251_: type_19;
-var phi_3274_: type_19;
-var phi_3282_: type_19;
-var phi_3283_: type_19;
-var phi_3284_: type_19;
-var phi_1818_: type_19;
-var phi_3285_: type_19;
-var phi_864_: type_19;
-var phi_867_: i32;
-var local: type_19;
-var local_1: type_19;
-var local_2: type_19;
-var local_3: type_19;
-var local_4: type_19;
-var local_5: type_19;
-var local_6: type_19;
-var local_7: type_19;
-var local_8: type_19;
-var local_9: type_19;
-var local_10: type_19;
-var local_11: type_19;
-var local_12: type_19;
-var local_13: type_19;
-var local_14: type_19;
-var local_15: type_19;
-var local_16: type_19;
-var local_17: type_19;
-var local_18: type_19;
-var local_19: type_19;
-var local_20: type_19;
-var local_21: type_19;
-var local_22: type_19;
-var local_23: type_19;
-var local_24: type_19;
-var local_25: type_19;
-var local_26: type_19;
-var local_27: type_19;
-var local_28: type_19;
-var local_29: type_19;
-var local_30: type_19;
+var phi_778_: u32;
+var phi_868_: type_24;
+var phi_871_: i32;
+var phi_1490_: type_24;
+var phi_1203_: type_24;
+var phi_1491_: type_24;
+var phi_2301_: type_24;
+var phi_2699_: i32;
+var phi_2701_: i32;
+var phi_2729_: type_24;
+var phi_2730_: type_24;
+var phi_2810_: type_24;
+var phi_2811_: type_24;
+var phi_2829_: type_24;
+var phi_3277_: type_24;
+var phi_3278_: type_24;
+var phi_3256_: type_24;
+var phi_3279_: type_24;
+var phi_3287_: type_24;
+var phi_3288_: type_24;
+var phi_3289_: type_24;
+var phi_1823_: type_24;
+var phi_3290_: type_24;
+var phi_869_: type_24;
+var phi_872_: i32;
+var local: type_24;
+var local_1: type_24;
+var local_2: type_24;
+var local_3: type_24;
+var local_4: type_24;
+var local_5: type_24;
+var local_6: type_24;
+var local_7: type_24;
+var local_8: type_24;
+var local_9: type_24;
+var local_10: type_24;
+var local_11: type_24;
+var local_12: type_24;
+var local_13: type_24;
+var local_14: type_24;
+var local_15: type_24;
+var local_16: type_24;
+var local_17: type_24;
+var local_18: type_24;
+var local_19: type_24;
+var local_20: type_24;
+var local_21: type_24;
+var local_22: type_24;
+var local_23: type_24;
+var local_24: type_24;
+var local_25: type_24;
+var local_26: type_24;
+var local_27: type_24;
+var local_28: type_24;
+var local_29: type_24;
+var local_30: type_24;
 var local_31: f32;
 let _e88 = global;
 let _e96 = arrayLength((&global_2.member));
@@ -334,11 +394,11 @@ let _e455 = bitcast<i32>(_e454);
 let _e457 = select(_e115, _e455, (_e455 < _e115));
 let _e463 = global_3.member[bitcast<u32>(select(0i, _e457, (_e457 > 0i)))];
 if (_e298 == 0f) {
-phi_773_ = 3u;
+phi_778_ = 3u;
 } else {
-phi_773_ = select(0u, 1u, (_e298 == 4f));
+phi_778_ = select(0u, 1u, (_e298 == 4f));
 }
-let _e468 = phi_773_;
+let _e468 = phi_778_;
 if (_e468 > 0u) {
 if (arrayLength((&global_4.member)) >= 3u) {
 let _e477 = atomicLoad((&global_4.member[0u]));
@@ -356,11 +416,11 @@ let _e529 = global_1.member.member_2.member_1;
 let _e530 = bitcast<i32>(_e529);
 let _e534 = global_1.member.member_2.member_2;
 let _e535 = bitcast<i32>(_e534);
-phi_863_ = type_19(vec3<f32>(_e123, _e133, _e144), vec3<f32>(_e155, _e166, _e177), vec3<f32>(_e188, _e199, _e210), vec3<f32>(_e221, _e232, _e243), vec3<f32>(_e254, _e265, _e276), _e287, _e298, select(0i, select(select(i32(_e309), i32(-2147483648), (_e309 < -2147483600f)), 2147483647i, (_e309 > 2147483500f)), (_e309 == _e309)), _e320, _e331, _e342, _e353, vec3<f32>(_e364, _e375, _e386), vec3<f32>(_e397, _e408, _e419), select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430)), select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < -2147483600f)), 2147483647i, (_e441 > 2147483500f)), (_e441 == _e441)), select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452)), _e463);
-phi_866_ = 0i;
+phi_868_ = type_24(vec3<f32>(_e123, _e133, _e144), vec3<f32>(_e155, _e166, _e177), vec3<f32>(_e188, _e199, _e210), vec3<f32>(_e221, _e232, _e243), vec3<f32>(_e254, _e265, _e276), _e287, _e298, select(0i, select(select(i32(_e309), i32(-2147483648), (_e309 < -2147483600f)), 2147483647i, (_e309 > 2147483500f)), (_e309 == _e309)), _e320, _e331, _e342, _e353, vec3<f32>(_e364, _e375, _e386), vec3<f32>(_e397, _e408, _e419), select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430)), select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < -2147483600f)), 2147483647i, (_e441 > 2147483500f)), (_e441 == _e441)), select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452)), _e463);
+phi_871_ = 0i;
 loop {
-let _e540 = phi_863_;
-let _e542 = phi_866_;
+let _e540 = phi_868_;
+let _e542 = phi_871_;
 local = _e540;
 local_1 = _e540;
 local_2 = _e540;
@@ -403,12 +463,12 @@ let _e564 = select(_e562, _e558, (_e558 > _e562));
 let _e567 = (1f / select(0.5f, _e564, (_e564 > 0.5f)));
 let _e569 = (_e540.member_17 <= _e567);
 if _e569 {
-let _e920 = type_19(vec3<f32>((_e540.member.x + (_e540.member_1.x * _e540.member_17)), (_e540.member.y + (_e540.member_1.y * _e540.member_17)), (_e540.member.z + (_e540.member_1.z * _e540.member_17))), _e540.member_1, _e540.member_2, _e540.member_3, _e540.member_4, _e540.member_5, _e540.member_6, _e540.member_7, _e540.member_8, _e540.member_9, _e540.member_10, _e540.member_11, _e540.member_12, _e540.member_13, _e540.member_14, _e540.member_15, _e540.member_16, _e540.member_17);
-let _e940 = type_19(_e920.member, _e920.member_1, _e920.member_2, _e920.member_3, _e920.member_4, (_e540.member_5 + _e540.member_17), _e920.member_6, _e920.member_7, _e920.member_8, _e920.member_9, _e920.member_10, _e920.member_11, _e920.member_12, _e920.member_13, _e920.member_14, _e920.member_15, _e920.member_16, _e920.member_17);
-let _e959 = type_19(_e940.member, _e940.member_1, _e940.member_2, _e940.member_3, _e940.member_4, _e940.member_5, _e940.member_6, _e940.member_7, _e940.member_8, _e940.member_9, _e940.member_10, _e940.member_11, _e940.member_12, _e940.member_13, _e940.member_14, _e940.member_15, _e940.member_16, (_e540.member_17 - _e540.member_17));
-let _e982 = type_19(_e959.member, _e959.member_1, _e959.member_2, _e959.member_3, _e959.member_4, _e959.member_5, _e959.member_6, _e959.member_7, _e959.member_8, _e959.member_9, (_e540.member_10 + select(0f, _e540.member_17, (_e540.member_8 == 0f))), _e959.member_11, _e959.member_12, _e959.member_13, _e959.member_14, _e959.member_15, _e959.member_16, _e959.member_17);
+let _e920 = type_24(vec3<f32>((_e540.member.x + (_e540.member_1.x * _e540.member_17)), (_e540.member.y + (_e540.member_1.y * _e540.member_17)), (_e540.member.z + (_e540.member_1.z * _e540.member_17))), _e540.member_1, _e540.member_2, _e540.member_3, _e540.member_4, _e540.member_5, _e540.member_6, _e540.member_7, _e540.member_8, _e540.member_9, _e540.member_10, _e540.member_11, _e540.member_12, _e540.member_13, _e540.member_14, _e540.member_15, _e540.member_16, _e540.member_17);
+let _e940 = type_24(_e920.member, _e920.member_1, _e920.member_2, _e920.member_3, _e920.member_4, (_e540.member_5 + _e540.member_17), _e920.member_6, _e920.member_7, _e920.member_8, _e920.member_9, _e920.member_10, _e920.member_11, _e920.member_12, _e920.member_13, _e920.member_14, _e920.member_15, _e920.member_16, _e920.member_17);
+let _e959 = type_24(_e940.member, _e940.member_1, _e940.member_2, _e940.member_3, _e940.member_4, _e940.member_5, _e940.member_6, _e940.member_7, _e940.member_8, _e940.member_9, _e940.member_10, _e940.member_11, _e940.member_12, _e940.member_13, _e940.member_14, _e940.member_15, _e940.member_16, (_e540.member_17 - _e540.member_17));
+let _e982 = type_24(_e959.member, _e959.member_1, _e959.member_2, _e959.member_3, _e959.member_4, _e959.member_5, _e959.member_6, _e959.member_7, _e959.member_8, _e959.member_9, (_e540.member_10 + select(0f, _e540.member_17, (_e540.member_8 == 0f))), _e959.member_11, _e959.member_12, _e959.member_13, _e959.member_14, _e959.member_15, _e959.member_16, _e959.member_17);
 if (_e540.member_7 != 16i) {
-let _e1003 = type_19(_e982.member, _e982.member_1, _e982.member_2, _e982.member_3, _e982.member_4, _e982.member_5, _e982.member_6, _e982.member_7, _e982.member_8, (_e540.member_9 + _e540.member_17), _e982.member_10, _e982.member_11, _e982.member_12, _e982.member_13, _e982.member_14, _e982.member_15, _e982.member_16, _e982.member_17);
+let _e1003 = type_24(_e982.member, _e982.member_1, _e982.member_2, _e982.member_3, _e982.member_4, _e982.member_5, _e982.member_6, _e982.member_7, _e982.member_8, (_e540.member_9 + _e540.member_17), _e982.member_10, _e982.member_11, _e982.member_12, _e982.member_13, _e982.member_14, _e982.member_15, _e982.member_16, _e982.member_17);
 let _e1004 = (_e540.member_7 * 4i);
 let _e1005 = (_e1004 + 1i);
 let _e1007 = (bitcast<i32>(_e96) - 1i);
@@ -450,19 +510,19 @@ let _e1148 = select(0i, select(select(i32(_e1141), i32(-2147483648), (_e1141 < -
 let _e1152 = (_e1148 - select(0i, 1i, (_e1141 < f32(_e1148))));
 let _e1153 = f32(_e1152);
 let _e1157 = ((_e1135 - (_e1153 * 0.6933594f)) - (_e1153 * -2.1219444e-4f));
-phi_1198_ = type_19(_e1003.member, _e1003.member_1, vec3<f32>((_e540.member_2.x * ((1f + (_e1043 * (1f + (_e1043 * (0.5f + (_e1043 * (0.16666667f + (_e1043 * (0.041666668f + (_e1043 * (0.008333334f + (_e1043 * (0.001388889f + (_e1043 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1038 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.y * ((1f + (_e1100 * (1f + (_e1100 * (0.5f + (_e1100 * (0.16666667f + (_e1100 * (0.041666668f + (_e1100 * (0.008333334f + (_e1100 * (0.001388889f + (_e1100 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1095 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.z * ((1f + (_e1157 * (1f + (_e1157 * (0.5f + (_e1157 * (0.16666667f + (_e1157 * (0.041666668f + (_e1157 * (0.008333334f + (_e1157 * (0.001388889f + (_e1157 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1152 + 127i)) << bitcast<u32>(23i)))))), _e1003.member_3, _e1003.member_4, _e1003.member_5, _e1003.member_6, _e1003.member_7, _e1003.member_8, _e1003.member_9, _e1003.member_10, _e1003.member_11, _e1003.member_12, _e1003.member_13, _e1003.member_14, _e1003.member_15, _e1003.member_16, _e1003.member_17);
+phi_1203_ = type_24(_e1003.member, _e1003.member_1, vec3<f32>((_e540.member_2.x * ((1f + (_e1043 * (1f + (_e1043 * (0.5f + (_e1043 * (0.16666667f + (_e1043 * (0.041666668f + (_e1043 * (0.008333334f + (_e1043 * (0.001388889f + (_e1043 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1038 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.y * ((1f + (_e1100 * (1f + (_e1100 * (0.5f + (_e1100 * (0.16666667f + (_e1100 * (0.041666668f + (_e1100 * (0.008333334f + (_e1100 * (0.001388889f + (_e1100 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1095 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.z * ((1f + (_e1157 * (1f + (_e1157 * (0.5f + (_e1157 * (0.16666667f + (_e1157 * (0.041666668f + (_e1157 * (0.008333334f + (_e1157 * (0.001388889f + (_e1157 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1152 + 127i)) << bitcast<u32>(23i)))))), _e1003.member_3, _e1003.member_4, _e1003.member_5, _e1003.member_6, _e1003.member_7, _e1003.member_8, _e1003.member_9, _e1003.member_10, _e1003.member_11, _e1003.member_12, _e1003.member_13, _e1003.member_14, _e1003.member_15, _e1003.member_16, _e1003.member_17);
 } else {
-phi_1198_ = _e982;
+phi_1203_ = _e982;
 }
-let _e1207 = phi_1198_;
-phi_1486_ = type_19(_e1207.member, _e1207.member_1, _e1207.member_2, _e1207.member_3, _e1207.member_4, _e1207.member_5, 3f, _e1207.member_7, _e1207.member_8, _e1207.member_9, _e1207.member_10, _e1207.member_11, _e1207.member_12, _e1207.member_13, _e1207.member_14, _e1207.member_15, _e1207.member_16, _e1207.member_17);
+let _e1207 = phi_1203_;
+phi_1491_ = type_24(_e1207.member, _e1207.member_1, _e1207.member_2, _e1207.member_3, _e1207.member_4, _e1207.member_5, 3f, _e1207.member_7, _e1207.member_8, _e1207.member_9, _e1207.member_10, _e1207.member_11, _e1207.member_12, _e1207.member_13, _e1207.member_14, _e1207.member_15, _e1207.member_16, _e1207.member_17);
 } else {
-let _e601 = type_19(vec3<f32>((_e540.member.x + (_e540.member_1.x * _e567)), (_e540.member.y + (_e540.member_1.y * _e567)), (_e540.member.z + (_e540.member_1.z * _e567))), _e540.member_1, _e540.member_2, _e540.member_3, _e540.member_4, _e540.member_5, _e540.member_6, _e540.member_7, _e540.member_8, _e540.member_9, _e540.member_10, _e540.member_11, _e540.member_12, _e540.member_13, _e540.member_14, _e540.member_15, _e540.member_16, _e540.member_17);
-let _e621 = type_19(_e601.member, _e601.member_1, _e601.member_2, _e601.member_3, _e601.member_4, (_e540.member_5 + _e567), _e601.member_6, _e601.member_7, _e601.member_8, _e601.member_9, _e601.member_10, _e601.member_11, _e601.member_12, _e601.member_13, _e601.member_14, _e601.member_15, _e601.member_16, _e601.member_17);
-let _e640 = type_19(_e621.member, _e621.member_1, _e621.member_2, _e621.member_3, _e621.member_4, _e621.member_5, _e621.member_6, _e621.member_7, _e621.member_8, _e621.member_9, _e621.member_10, _e621.member_11, _e621.member_12, _e621.member_13, _e621.member_14, _e621.member_15, _e621.member_16, (_e540.member_17 - _e567));
-let _e663 = type_19(_e640.member, _e640.member_1, _e640.member_2, _e640.member_3, _e640.member_4, _e640.member_5, _e640.member_6, _e640.member_7, _e640.member_8, _e640.member_9, (_e540.member_10 + select(0f, _e567, (_e540.member_8 == 0f))), _e640.member_11, _e640.member_12, _e640.member_13, _e640.member_14, _e640.member_15, _e640.member_16, _e640.member_17);
+let _e601 = type_24(vec3<f32>((_e540.member.x + (_e540.member_1.x * _e567)), (_e540.member.y + (_e540.member_1.y * _e567)), (_e540.member.z + (_e540.member_1.z * _e567))), _e540.member_1, _e540.member_2, _e540.member_3, _e540.member_4, _e540.member_5, _e540.member_6, _e540.member_7, _e540.member_8, _e540.member_9, _e540.member_10, _e540.member_11, _e540.member_12, _e540.member_13, _e540.member_14, _e540.member_15, _e540.member_16, _e540.member_17);
+let _e621 = type_24(_e601.member, _e601.member_1, _e601.member_2, _e601.member_3, _e601.member_4, (_e540.member_5 + _e567), _e601.member_6, _e601.member_7, _e601.member_8, _e601.member_9, _e601.member_10, _e601.member_11, _e601.member_12, _e601.member_13, _e601.member_14, _e601.member_15, _e601.member_16, _e601.member_17);
+let _e640 = type_24(_e621.member, _e621.member_1, _e621.member_2, _e621.member_3, _e621.member_4, _e621.member_5, _e621.member_6, _e621.member_7, _e621.member_8, _e621.member_9, _e621.member_10, _e621.member_11, _e621.member_12, _e621.member_13, _e621.member_14, _e621.member_15, _e621.member_16, (_e540.member_17 - _e567));
+let _e663 = type_24(_e640.member, _e640.member_1, _e640.member_2, _e640.member_3, _e640.member_4, _e640.member_5, _e640.member_6, _e640.member_7, _e640.member_8, _e640.member_9, (_e540.member_10 + select(0f, _e567, (_e540.member_8 == 0f))), _e640.member_11, _e640.member_12, _e640.member_13, _e640.member_14, _e640.member_15, _e640.member_16, _e640.member_17);
 if (_e540.member_7 != 16i) {
-let _e684 = type_19(_e663.member, _e663.member_1, _e663.member_2, _e663.member_3, _e663.member_4, _e663.member_5, _e663.member_6, _e663.member_7, _e663.member_8, (_e540.member_9 + _e567), _e663.member_10, _e663.member_11, _e663.member_12, _e663.member_13, _e663.member_14, _e663.member_15, _e663.member_16, _e663.member_17);
+let _e684 = type_24(_e663.member, _e663.member_1, _e663.member_2, _e663.member_3, _e663.member_4, _e663.member_5, _e663.member_6, _e663.member_7, _e663.member_8, (_e540.member_9 + _e567), _e663.member_10, _e663.member_11, _e663.member_12, _e663.member_13, _e663.member_14, _e663.member_15, _e663.member_16, _e663.member_17);
 let _e685 = (_e540.member_7 * 4i);
 let _e686 = (_e685 + 1i);
 let _e688 = (bitcast<i32>(_e96) - 1i);
@@ -504,29 +564,29 @@ let _e829 = select(0i, select(select(i32(_e822), i32(-2147483648), (_e822 < -214
 let _e833 = (_e829 - select(0i, 1i, (_e822 < f32(_e829))));
 let _e834 = f32(_e833);
 let _e838 = ((_e816 - (_e834 * 0.6933594f)) - (_e834 * -2.1219444e-4f));
-phi_1485_ = type_19(_e684.member, _e684.member_1, vec3<f32>((_e540.member_2.x * ((1f + (_e724 * (1f + (_e724 * (0.5f + (_e724 * (0.16666667f + (_e724 * (0.041666668f + (_e724 * (0.008333334f + (_e724 * (0.001388889f + (_e724 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e719 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.y * ((1f + (_e781 * (1f + (_e781 * (0.5f + (_e781 * (0.16666667f + (_e781 * (0.041666668f + (_e781 * (0.008333334f + (_e781 * (0.001388889f + (_e781 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e776 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.z * ((1f + (_e838 * (1f + (_e838 * (0.5f + (_e838 * (0.16666667f + (_e838 * (0.041666668f + (_e838 * (0.008333334f + (_e838 * (0.001388889f + (_e838 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e833 + 127i)) << bitcast<u32>(23i)))))), _e684.member_3, _e684.member_4, _e684.member_5, _e684.member_6, _e684.member_7, _e684.member_8, _e684.member_9, _e684.member_10, _e684.member_11, _e684.member_12, _e684.member_13, _e684.member_14, _e684.member_15, _e684.member_16, _e684.member_17);
+phi_1490_ = type_24(_e684.member, _e684.member_1, vec3<f32>((_e540.member_2.x * ((1f + (_e724 * (1f + (_e724 * (0.5f + (_e724 * (0.16666667f + (_e724 * (0.041666668f + (_e724 * (0.008333334f + (_e724 * (0.001388889f + (_e724 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e719 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.y * ((1f + (_e781 * (1f + (_e781 * (0.5f + (_e781 * (0.16666667f + (_e781 * (0.041666668f + (_e781 * (0.008333334f + (_e781 * (0.001388889f + (_e781 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e776 + 127i)) << bitcast<u32>(23i))))), (_e540.member_2.z * ((1f + (_e838 * (1f + (_e838 * (0.5f + (_e838 * (0.16666667f + (_e838 * (0.041666668f + (_e838 * (0.008333334f + (_e838 * (0.001388889f + (_e838 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e833 + 127i)) << bitcast<u32>(23i)))))), _e684.member_3, _e684.member_4, _e684.member_5, _e684.member_6, _e684.member_7, _e684.member_8, _e684.member_9, _e684.member_10, _e684.member_11, _e684.member_12, _e684.member_13, _e684.member_14, _e684.member_15, _e684.member_16, _e684.member_17);
 } else {
-phi_1485_ = _e663;
+phi_1490_ = _e663;
 }
-let _e888 = phi_1485_;
-phi_1486_ = _e888;
+let _e888 = phi_1490_;
+phi_1491_ = _e888;
 }
-let _e1227 = phi_1486_;
+let _e1227 = phi_1491_;
 if (!(_e569) && ((((((_e1227.member.x < 0f) || (_e1227.member.y < 0f)) || (_e1227.member.z < 0f)) || (_e1227.member.x >= f32(_e525))) || (_e1227.member.y >= f32(_e530))) || (_e1227.member.z >= f32(_e535)))) {
 if (_e1227.member_16 == -1i) {
-phi_1818_ = type_19(_e1227.member, _e1227.member_1, _e1227.member_2, _e1227.member_3, _e1227.member_4, _e1227.member_5, 1f, _e1227.member_7, _e1227.member_8, _e1227.member_9, _e1227.member_10, _e1227.member_11, _e1227.member_12, _e1227.member_13, _e1227.member_14, _e1227.member_15, _e1227.member_16, _e1227.member_17);
+phi_1823_ = type_24(_e1227.member, _e1227.member_1, _e1227.member_2, _e1227.member_3, _e1227.member_4, _e1227.member_5, 1f, _e1227.member_7, _e1227.member_8, _e1227.member_9, _e1227.member_10, _e1227.member_11, _e1227.member_12, _e1227.member_13, _e1227.member_14, _e1227.member_15, _e1227.member_16, _e1227.member_17);
 } else {
-let _e2543 = type_19(vec3<f32>((_e1227.member.x + (_e1227.member_1.x * _e1227.member_17)), (_e1227.member.y + (_e1227.member_1.y * _e1227.member_17)), (_e1227.member.z + (_e1227.member_1.z * _e1227.member_17))), _e1227.member_1, _e1227.member_2, _e1227.member_3, _e1227.member_4, _e1227.member_5, _e1227.member_6, _e1227.member_7, _e1227.member_8, _e1227.member_9, _e1227.member_10, _e1227.member_11, _e1227.member_12, _e1227.member_13, _e1227.member_14, _e1227.member_15, _e1227.member_16, _e1227.member_17);
-let _e2563 = type_19(_e2543.member, _e2543.member_1, _e2543.member_2, _e2543.member_3, _e2543.member_4, (_e1227.member_5 + _e1227.member_17), _e2543.member_6, _e2543.member_7, _e2543.member_8, _e2543.member_9, _e2543.member_10, _e2543.member_11, _e2543.member_12, _e2543.member_13, _e2543.member_14, _e2543.member_15, _e2543.member_16, _e2543.member_17);
-let _e2582 = type_19(_e2563.member, _e2563.member_1, _e2563.member_2, _e2563.member_3, _e2563.member_4, _e2563.member_5, _e2563.member_6, _e2563.member_7, _e2563.member_8, _e2563.member_9, _e2563.member_10, _e2563.member_11, _e2563.member_12, _e2563.member_13, _e2563.member_14, _e2563.member_15, _e2563.member_16, (_e1227.member_17 - _e1227.member_17));
-let _e2605 = type_19(_e2582.member, _e2582.member_1, _e2582.member_2, _e2582.member_3, _e2582.member_4, _e2582.member_5, _e2582.member_6, _e2582.member_7, _e2582.member_8, _e2582.member_9, (_e1227.member_10 + select(0f, _e1227.member_17, (_e1227.member_8 == 0f))), _e2582.member_11, _e2582.member_12, _e2582.member_13, _e2582.member_14, _e2582.member_15, _e2582.member_16, _e2582.member_17);
-phi_1818_ = type_19(_e2605.member, _e2605.member_1, _e2605.member_2, _e2605.member_3, _e2605.member_4, _e2605.member_5, 3f, _e2605.member_7, _e2605.member_8, _e2605.member_9, _e2605.member_10, _e2605.member_11, _e2605.member_12, _e2605.member_13, _e2605.member_14, _e2605.member_15, _e2605.member_16, _e2605.member_17);
+let _e2543 = type_24(vec3<f32>((_e1227.member.x + (_e1227.member_1.x * _e1227.member_17)), (_e1227.member.y + (_e1227.member_1.y * _e1227.member_17)), (_e1227.member.z + (_e1227.member_1.z * _e1227.member_17))), _e1227.member_1, _e1227.member_2, _e1227.member_3, _e1227.member_4, _e1227.member_5, _e1227.member_6, _e1227.member_7, _e1227.member_8, _e1227.member_9, _e1227.member_10, _e1227.member_11, _e1227.member_12, _e1227.member_13, _e1227.member_14, _e1227.member_15, _e1227.member_16, _e1227.member_17);
+let _e2563 = type_24(_e2543.member, _e2543.member_1, _e2543.member_2, _e2543.member_3, _e2543.member_4, (_e1227.member_5 + _e1227.member_17), _e2543.member_6, _e2543.member_7, _e2543.member_8, _e2543.member_9, _e2543.member_10, _e2543.member_11, _e2543.member_12, _e2543.member_13, _e2543.member_14, _e2543.member_15, _e2543.member_16, _e2543.member_17);
+let _e2582 = type_24(_e2563.member, _e2563.member_1, _e2563.member_2, _e2563.member_3, _e2563.member_4, _e2563.member_5, _e2563.member_6, _e2563.member_7, _e2563.member_8, _e2563.member_9, _e2563.member_10, _e2563.member_11, _e2563.member_12, _e2563.member_13, _e2563.member_14, _e2563.member_15, _e2563.member_16, (_e1227.member_17 - _e1227.member_17));
+let _e2605 = type_24(_e2582.member, _e2582.member_1, _e2582.member_2, _e2582.member_3, _e2582.member_4, _e2582.member_5, _e2582.member_6, _e2582.member_7, _e2582.member_8, _e2582.member_9, (_e1227.member_10 + select(0f, _e1227.member_17, (_e1227.member_8 == 0f))), _e2582.member_11, _e2582.member_12, _e2582.member_13, _e2582.member_14, _e2582.member_15, _e2582.member_16, _e2582.member_17);
+phi_1823_ = type_24(_e2605.member, _e2605.member_1, _e2605.member_2, _e2605.member_3, _e2605.member_4, _e2605.member_5, 3f, _e2605.member_7, _e2605.member_8, _e2605.member_9, _e2605.member_10, _e2605.member_11, _e2605.member_12, _e2605.member_13, _e2605.member_14, _e2605.member_15, _e2605.member_16, _e2605.member_17);
 }
-let _e2643 = phi_1818_;
-phi_3285_ = _e2643;
+let _e2643 = phi_1823_;
+phi_3290_ = _e2643;
 } else {
 if _e569 {
-phi_3284_ = _e1227;
+phi_3289_ = _e1227;
 } else {
 let _e1249 = f32((_e525 - 1i));
 let _e1251 = select(0f, _e1227.member.x, (_e1227.member.x > 0f));
@@ -615,12 +675,12 @@ let _e1545 = global_1.member.member_1;
 let _e1548 = select(0f, select(select((((0.5f * _e1525) * _e1525) * (1f + (_e1532 * _e1532))), 1f, (_e1517 <= 0f)), 0f, (_e1435 == _e1446)), ((_e1545 & 1u) != 0u));
 let _e1549 = (_e1542 && _e1434);
 if _e1542 {
-let _e1567 = type_19(_e1227.member, _e1227.member_1, _e1227.member_2, _e1368, _e1227.member_4, _e1227.member_5, _e1227.member_6, _e1227.member_7, _e1227.member_8, _e1227.member_9, _e1227.member_10, _e1227.member_11, _e1227.member_12, _e1227.member_13, _e1227.member_14, _e1227.member_15, _e1227.member_16, _e1227.member_17);
-phi_2296_ = type_19(_e1567.member, _e1567.member_1, _e1567.member_2, _e1567.member_3, _e1567.member_4, _e1567.member_5, _e1567.member_6, _e1567.member_7, _e1567.member_8, _e1567.member_9, _e1567.member_10, select(0f, _e1548, _e1549), _e1567.member_12, _e1567.member_13, _e1567.member_14, _e1567.member_15, _e1567.member_16, _e1567.member_17);
+let _e1567 = type_24(_e1227.member, _e1227.member_1, _e1227.member_2, _e1368, _e1227.member_4, _e1227.member_5, _e1227.member_6, _e1227.member_7, _e1227.member_8, _e1227.member_9, _e1227.member_10, _e1227.member_11, _e1227.member_12, _e1227.member_13, _e1227.member_14, _e1227.member_15, _e1227.member_16, _e1227.member_17);
+phi_2301_ = type_24(_e1567.member, _e1567.member_1, _e1567.member_2, _e1567.member_3, _e1567.member_4, _e1567.member_5, _e1567.member_6, _e1567.member_7, _e1567.member_8, _e1567.member_9, _e1567.member_10, select(0f, _e1548, _e1549), _e1567.member_12, _e1567.member_13, _e1567.member_14, _e1567.member_15, _e1567.member_16, _e1567.member_17);
 } else {
-phi_2296_ = _e1227;
+phi_2301_ = _e1227;
 }
-let _e1588 = phi_2296_;
+let _e1588 = phi_2301_;
 let _e1592 = select(24f, _e1588.member_8, (_e1588.member_8 < 24f));
 let _e1602 = (_e1588.member_14 >> bitcast<u32>((select(0i, select(select(i32(_e1592), i32(-2147483648), (_e1592 < -2147483600f)), 2147483647i, (_e1592 > 2147483500f)), (_e1592 == _e1592)) & 31i)));
 let _e1604 = ((_e1602 & 1i) == 1i);
@@ -680,30 +740,30 @@ let _e1842 = ((_e1588.member_13.x + _e1588.member_13.y) + _e1588.member_13.z);
 if ((((_e1545 & 8u) != 0u) && (_e1830 < 24i)) && (((_e1820 + _e1821) + _e1822) > _e1842)) {
 if (_e1842 > 0f) {
 if (_e1588.member_14 == 0i) {
-phi_2694_ = 0i;
+phi_2699_ = 0i;
 } else {
-phi_2694_ = (_e1588.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1588.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
+phi_2699_ = (_e1588.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1588.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
 }
-let _e1886 = phi_2694_;
-phi_2696_ = _e1886;
+let _e1886 = phi_2699_;
+phi_2701_ = _e1886;
 } else {
-phi_2696_ = _e1588.member_14;
+phi_2701_ = _e1588.member_14;
 }
-let _e1888 = phi_2696_;
-let _e1910 = type_19(_e1588.member, _e1588.member_1, _e1588.member_2, _e1588.member_3, _e1588.member_4, _e1588.member_5, _e1588.member_6, _e1588.member_7, _e1588.member_8, _e1588.member_9, _e1588.member_10, _e1588.member_11, _e1588.member_12, _e1588.member_13, (_e1888 | (1i << bitcast<u32>((_e1830 & 31i)))), _e1588.member_15, _e1588.member_16, _e1588.member_17);
-let _e1938 = type_19(_e1910.member, _e1910.member_1, _e1910.member_2, _e1910.member_3, _e1910.member_4, _e1910.member_5, _e1910.member_6, _e1910.member_7, _e1910.member_8, _e1910.member_9, _e1910.member_10, _e1910.member_11, vec3<f32>((_e1588.member_12.x + _e1588.member_13.x), (_e1588.member_12.y + _e1588.member_13.y), (_e1588.member_12.z + _e1588.member_13.z)), _e1910.member_13, _e1910.member_14, _e1910.member_15, _e1910.member_16, _e1910.member_17);
-phi_2724_ = type_19(_e1938.member, _e1938.member_1, _e1938.member_2, _e1938.member_3, _e1938.member_4, _e1938.member_5, _e1938.member_6, _e1938.member_7, _e1938.member_8, _e1938.member_9, _e1938.member_10, _e1938.member_11, _e1938.member_12, vec3<f32>(_e1820, _e1821, _e1822), _e1938.member_14, _e1938.member_15, _e1938.member_16, _e1938.member_17);
+let _e1888 = phi_2701_;
+let _e1910 = type_24(_e1588.member, _e1588.member_1, _e1588.member_2, _e1588.member_3, _e1588.member_4, _e1588.member_5, _e1588.member_6, _e1588.member_7, _e1588.member_8, _e1588.member_9, _e1588.member_10, _e1588.member_11, _e1588.member_12, _e1588.member_13, (_e1888 | (1i << bitcast<u32>((_e1830 & 31i)))), _e1588.member_15, _e1588.member_16, _e1588.member_17);
+let _e1938 = type_24(_e1910.member, _e1910.member_1, _e1910.member_2, _e1910.member_3, _e1910.member_4, _e1910.member_5, _e1910.member_6, _e1910.member_7, _e1910.member_8, _e1910.member_9, _e1910.member_10, _e1910.member_11, vec3<f32>((_e1588.member_12.x + _e1588.member_13.x), (_e1588.member_12.y + _e1588.member_13.y), (_e1588.member_12.z + _e1588.member_13.z)), _e1910.member_13, _e1910.member_14, _e1910.member_15, _e1910.member_16, _e1910.member_17);
+phi_2729_ = type_24(_e1938.member, _e1938.member_1, _e1938.member_2, _e1938.member_3, _e1938.member_4, _e1938.member_5, _e1938.member_6, _e1938.member_7, _e1938.member_8, _e1938.member_9, _e1938.member_10, _e1938.member_11, _e1938.member_12, vec3<f32>(_e1820, _e1821, _e1822), _e1938.member_14, _e1938.member_15, _e1938.member_16, _e1938.member_17);
 } else {
-phi_2724_ = type_19(_e1588.member, _e1588.member_1, _e1588.member_2, _e1588.member_3, _e1588.member_4, _e1588.member_5, _e1588.member_6, _e1588.member_7, _e1588.member_8, _e1588.member_9, _e1588.member_10, _e1588.member_11, vec3<f32>((_e1588.member_12.x + _e1820), (_e1588.member_12.y + _e1821), (_e1588.member_12.z + _e1822)), _e1588.member_13, _e1588.member_14, _e1588.member_15, _e1588.member_16, _e1588.member_17);
+phi_2729_ = type_24(_e1588.member, _e1588.member_1, _e1588.member_2, _e1588.member_3, _e1588.member_4, _e1588.member_5, _e1588.member_6, _e1588.member_7, _e1588.member_8, _e1588.member_9, _e1588.member_10, _e1588.member_11, vec3<f32>((_e1588.member_12.x + _e1820), (_e1588.member_12.y + _e1821), (_e1588.member_12.z + _e1822)), _e1588.member_13, _e1588.member_14, _e1588.member_15, _e1588.member_16, _e1588.member_17);
 }
-let _e1958 = phi_2724_;
-phi_2725_ = _e1958;
+let _e1958 = phi_2729_;
+phi_2730_ = _e1958;
 } else {
-phi_2725_ = _e1588;
+phi_2730_ = _e1588;
 }
-let _e1960 = phi_2725_;
+let _e1960 = phi_2730_;
 let _e1962 = (_e1960.member_8 + 1f);
-let _e1980 = type_19(_e1960.member, _e1960.member_1, _e1960.member_2, _e1960.member_3, _e1960.member_4, _e1960.member_5, _e1960.member_6, _e1960.member_7, _e1962, _e1960.member_9, _e1960.member_10, _e1960.member_11, _e1960.member_12, _e1960.member_13, _e1960.member_14, _e1960.member_15, _e1960.member_16, _e1960.member_17);
+let _e1980 = type_24(_e1960.member, _e1960.member_1, _e1960.member_2, _e1960.member_3, _e1960.member_4, _e1960.member_5, _e1960.member_6, _e1960.member_7, _e1962, _e1960.member_9, _e1960.member_10, _e1960.member_11, _e1960.member_12, _e1960.member_13, _e1960.member_14, _e1960.member_15, _e1960.member_16, _e1960.member_17);
 let _e1984 = !(_e1604);
 let _e1985 = (((_e103.member_2 == 0u) && (_e1962 >= 2f)) && _e1984);
 if (_e1474 && _e1985) {
@@ -714,28 +774,28 @@ let _e2054 = (_e1960.member_1.z - (_e1367 * _e2048));
 let _e2059 = (((_e2052 * _e2052) + (_e2053 * _e2053)) + (_e2054 * _e2054));
 let _e2062 = sqrt(select(0f, _e2059, (_e2059 > 0f)));
 let _e2065 = (1f / select(1e-20f, _e2062, (_e2062 > 1e-20f)));
-phi_2806_ = type_19(_e1980.member, vec3<f32>((_e2052 * _e2065), (_e2053 * _e2065), (_e2054 * _e2065)), _e1980.member_2, _e1980.member_3, _e1980.member_4, _e1980.member_5, _e1980.member_6, _e1980.member_7, _e1980.member_8, _e1980.member_9, _e1980.member_10, _e1980.member_11, _e1980.member_12, _e1980.member_13, _e1980.member_14, _e1980.member_15, _e1980.member_16, _e1980.member_17);
+phi_2811_ = type_24(_e1980.member, vec3<f32>((_e2052 * _e2065), (_e2053 * _e2065), (_e2054 * _e2065)), _e1980.member_2, _e1980.member_3, _e1980.member_4, _e1980.member_5, _e1980.member_6, _e1980.member_7, _e1980.member_8, _e1980.member_9, _e1980.member_10, _e1980.member_11, _e1980.member_12, _e1980.member_13, _e1980.member_14, _e1980.member_15, _e1980.member_16, _e1980.member_17);
 } else {
 if _e1604 {
 let _e2009 = (((_e1493 * _e1493) + (_e1494 * _e1494)) + (_e1495 * _e1495));
 let _e2012 = sqrt(select(0f, _e2009, (_e2009 > 0f)));
 let _e2015 = (1f / select(1e-20f, _e2012, (_e2012 > 1e-20f)));
-phi_2805_ = type_19(_e1980.member, vec3<f32>((_e1493 * _e2015), (_e1494 * _e2015), (_e1495 * _e2015)), _e1980.member_2, _e1980.member_3, _e1980.member_4, _e1980.member_5, _e1980.member_6, _e1980.member_7, _e1980.member_8, _e1980.member_9, _e1980.member_10, _e1980.member_11, _e1980.member_12, _e1980.member_13, _e1980.member_14, _e1980.member_15, _e1980.member_16, _e1980.member_17);
+phi_2810_ = type_24(_e1980.member, vec3<f32>((_e1493 * _e2015), (_e1494 * _e2015), (_e1495 * _e2015)), _e1980.member_2, _e1980.member_3, _e1980.member_4, _e1980.member_5, _e1980.member_6, _e1980.member_7, _e1980.member_8, _e1980.member_9, _e1980.member_10, _e1980.member_11, _e1980.member_12, _e1980.member_13, _e1980.member_14, _e1980.member_15, _e1980.member_16, _e1980.member_17);
 } else {
-phi_2805_ = type_19(_e1980.member, vec3<f32>((_e1496 * _e1509), (_e1497 * _e1509), (_e1498 * _e1509)), _e1980.member_2, _e1980.member_3, _e1980.member_4, _e1980.member_5, _e1980.member_6, _e1980.member_7, _e1980.member_8, _e1980.member_9, _e1980.member_10, _e1980.member_11, _e1980.member_12, _e1980.member_13, _e1980.member_14, _e1980.member_15, _e1980.member_16, _e1980.member_17);
+phi_2810_ = type_24(_e1980.member, vec3<f32>((_e1496 * _e1509), (_e1497 * _e1509), (_e1498 * _e1509)), _e1980.member_2, _e1980.member_3, _e1980.member_4, _e1980.member_5, _e1980.member_6, _e1980.member_7, _e1980.member_8, _e1980.member_9, _e1980.member_10, _e1980.member_11, _e1980.member_12, _e1980.member_13, _e1980.member_14, _e1980.member_15, _e1980.member_16, _e1980.member_17);
 }
-let _e2039 = phi_2805_;
-phi_2806_ = _e2039;
+let _e2039 = phi_2810_;
+phi_2811_ = _e2039;
 }
-let _e2089 = phi_2806_;
+let _e2089 = phi_2811_;
 if _e1474 {
-phi_2824_ = _e2089;
+phi_2829_ = _e2089;
 } else {
 let _e2091 = select((1f - _e1548), _e1548, _e1604);
-phi_2824_ = type_19(_e2089.member, _e2089.member_1, vec3<f32>((_e2089.member_2.x * _e2091), (_e2089.member_2.y * _e2091), (_e2089.member_2.z * _e2091)), _e2089.member_3, _e2089.member_4, _e2089.member_5, _e2089.member_6, _e2089.member_7, _e2089.member_8, _e2089.member_9, _e2089.member_10, _e2089.member_11, _e2089.member_12, _e2089.member_13, _e2089.member_14, _e2089.member_15, _e2089.member_16, _e2089.member_17);
+phi_2829_ = type_24(_e2089.member, _e2089.member_1, vec3<f32>((_e2089.member_2.x * _e2091), (_e2089.member_2.y * _e2091), (_e2089.member_2.z * _e2091)), _e2089.member_3, _e2089.member_4, _e2089.member_5, _e2089.member_6, _e2089.member_7, _e2089.member_8, _e2089.member_9, _e2089.member_10, _e2089.member_11, _e2089.member_12, _e2089.member_13, _e2089.member_14, _e2089.member_15, _e2089.member_16, _e2089.member_17);
 }
-let _e2121 = phi_2824_;
-let _e2139 = type_19(_e2121.member, _e2121.member_1, _e2121.member_2, _e2121.member_3, _e2121.member_4, 0f, _e2121.member_6, _e2121.member_7, _e2121.member_8, _e2121.member_9, _e2121.member_10, _e2121.member_11, _e2121.member_12, _e2121.member_13, _e2121.member_14, _e2121.member_15, _e2121.member_16, _e2121.member_17);
+let _e2121 = phi_2829_;
+let _e2139 = type_24(_e2121.member, _e2121.member_1, _e2121.member_2, _e2121.member_3, _e2121.member_4, 0f, _e2121.member_6, _e2121.member_7, _e2121.member_8, _e2121.member_9, _e2121.member_10, _e2121.member_11, _e2121.member_12, _e2121.member_13, _e2121.member_14, _e2121.member_15, _e2121.member_16, _e2121.member_17);
 let _e2146 = global_1.member.member_18.member.member;
 let _e2160 = ((((_e2146.member.member * _e2121.member.x) + (_e2146.member.member_1 * _e2121.member.y)) + (_e2146.member.member_2 * _e2121.member.z)) + _e2146.member_1);
 let _e2169 = -((((_e2146.member.member * _e2121.member_1.x) + (_e2146.member.member_1 * _e2121.member_1.y)) + (_e2146.member.member_2 * _e2121.member_1.z)));
@@ -751,69 +811,69 @@ let _e2209 = select(1e30f, select(0f, _e2206, (_e2206 > 0f)), ((_e2194 > 0f) && 
 let _e2213 = (_e2209 < _e2178);
 let _e2215 = select(select(-2i, -3i, _e2213), -1i, ((_e2178 >= 1e30f) && (_e2209 >= 1e30f)));
 let _e2216 = select(_e2178, _e2209, _e2213);
-let _e2234 = type_19(_e2139.member, _e2139.member_1, _e2139.member_2, _e2139.member_3, _e2139.member_4, _e2139.member_5, _e2139.member_6, _e2139.member_7, _e2139.member_8, _e2139.member_9, _e2139.member_10, _e2139.member_11, _e2139.member_12, _e2139.member_13, _e2139.member_14, 0i, _e2139.member_16, _e2139.member_17);
-let _e2252 = type_19(_e2234.member, _e2234.member_1, _e2234.member_2, _e2234.member_3, _e2234.member_4, _e2234.member_5, _e2234.member_6, _e2234.member_7, _e2234.member_8, _e2234.member_9, _e2234.member_10, _e2234.member_11, _e2234.member_12, _e2234.member_13, _e2234.member_14, _e2234.member_15, _e2215, _e2234.member_17);
-let _e2270 = type_19(_e2252.member, _e2252.member_1, _e2252.member_2, _e2252.member_3, _e2252.member_4, _e2252.member_5, _e2252.member_6, _e2252.member_7, _e2252.member_8, _e2252.member_9, _e2252.member_10, _e2252.member_11, _e2252.member_12, _e2252.member_13, _e2252.member_14, _e2252.member_15, _e2252.member_16, _e2216);
+let _e2234 = type_24(_e2139.member, _e2139.member_1, _e2139.member_2, _e2139.member_3, _e2139.member_4, _e2139.member_5, _e2139.member_6, _e2139.member_7, _e2139.member_8, _e2139.member_9, _e2139.member_10, _e2139.member_11, _e2139.member_12, _e2139.member_13, _e2139.member_14, 0i, _e2139.member_16, _e2139.member_17);
+let _e2252 = type_24(_e2234.member, _e2234.member_1, _e2234.member_2, _e2234.member_3, _e2234.member_4, _e2234.member_5, _e2234.member_6, _e2234.member_7, _e2234.member_8, _e2234.member_9, _e2234.member_10, _e2234.member_11, _e2234.member_12, _e2234.member_13, _e2234.member_14, _e2234.member_15, _e2215, _e2234.member_17);
+let _e2270 = type_24(_e2252.member, _e2252.member_1, _e2252.member_2, _e2252.member_3, _e2252.member_4, _e2252.member_5, _e2252.member_6, _e2252.member_7, _e2252.member_8, _e2252.member_9, _e2252.member_10, _e2252.member_11, _e2252.member_12, _e2252.member_13, _e2252.member_14, _e2252.member_15, _e2252.member_16, _e2216);
 let _e2271 = (_e1474 || _e1604);
 let _e2274 = ((_e1545 & 2u) != 0u);
 if (_e1985 && !(_e2274)) {
 if (_e2215 == -1i) {
-phi_3251_ = type_19(_e2270.member, _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, 1f, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
+phi_3256_ = type_24(_e2270.member, _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, 1f, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
 } else {
-let _e2360 = type_19(vec3<f32>((_e2121.member.x + (_e2121.member_1.x * _e2216)), (_e2121.member.y + (_e2121.member_1.y * _e2216)), (_e2121.member.z + (_e2121.member_1.z * _e2216))), _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, _e2270.member_6, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
-let _e2379 = type_19(_e2360.member, _e2360.member_1, _e2360.member_2, _e2360.member_3, _e2360.member_4, (0f + _e2216), _e2360.member_6, _e2360.member_7, _e2360.member_8, _e2360.member_9, _e2360.member_10, _e2360.member_11, _e2360.member_12, _e2360.member_13, _e2360.member_14, _e2360.member_15, _e2360.member_16, _e2360.member_17);
-let _e2398 = type_19(_e2379.member, _e2379.member_1, _e2379.member_2, _e2379.member_3, _e2379.member_4, _e2379.member_5, _e2379.member_6, _e2379.member_7, _e2379.member_8, _e2379.member_9, _e2379.member_10, _e2379.member_11, _e2379.member_12, _e2379.member_13, _e2379.member_14, _e2379.member_15, _e2379.member_16, (_e2216 - _e2216));
-let _e2421 = type_19(_e2398.member, _e2398.member_1, _e2398.member_2, _e2398.member_3, _e2398.member_4, _e2398.member_5, _e2398.member_6, _e2398.member_7, _e2398.member_8, _e2398.member_9, (_e2121.member_10 + select(0f, _e2216, (_e2121.member_8 == 0f))), _e2398.member_11, _e2398.member_12, _e2398.member_13, _e2398.member_14, _e2398.member_15, _e2398.member_16, _e2398.member_17);
-phi_3251_ = type_19(_e2421.member, _e2421.member_1, _e2421.member_2, _e2421.member_3, _e2421.member_4, _e2421.member_5, 3f, _e2421.member_7, _e2421.member_8, _e2421.member_9, _e2421.member_10, _e2421.member_11, _e2421.member_12, _e2421.member_13, _e2421.member_14, _e2421.member_15, _e2421.member_16, _e2421.member_17);
+let _e2360 = type_24(vec3<f32>((_e2121.member.x + (_e2121.member_1.x * _e2216)), (_e2121.member.y + (_e2121.member_1.y * _e2216)), (_e2121.member.z + (_e2121.member_1.z * _e2216))), _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, _e2270.member_6, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
+let _e2379 = type_24(_e2360.member, _e2360.member_1, _e2360.member_2, _e2360.member_3, _e2360.member_4, (0f + _e2216), _e2360.member_6, _e2360.member_7, _e2360.member_8, _e2360.member_9, _e2360.member_10, _e2360.member_11, _e2360.member_12, _e2360.member_13, _e2360.member_14, _e2360.member_15, _e2360.member_16, _e2360.member_17);
+let _e2398 = type_24(_e2379.member, _e2379.member_1, _e2379.member_2, _e2379.member_3, _e2379.member_4, _e2379.member_5, _e2379.member_6, _e2379.member_7, _e2379.member_8, _e2379.member_9, _e2379.member_10, _e2379.member_11, _e2379.member_12, _e2379.member_13, _e2379.member_14, _e2379.member_15, _e2379.member_16, (_e2216 - _e2216));
+let _e2421 = type_24(_e2398.member, _e2398.member_1, _e2398.member_2, _e2398.member_3, _e2398.member_4, _e2398.member_5, _e2398.member_6, _e2398.member_7, _e2398.member_8, _e2398.member_9, (_e2121.member_10 + select(0f, _e2216, (_e2121.member_8 == 0f))), _e2398.member_11, _e2398.member_12, _e2398.member_13, _e2398.member_14, _e2398.member_15, _e2398.member_16, _e2398.member_17);
+phi_3256_ = type_24(_e2421.member, _e2421.member_1, _e2421.member_2, _e2421.member_3, _e2421.member_4, _e2421.member_5, 3f, _e2421.member_7, _e2421.member_8, _e2421.member_9, _e2421.member_10, _e2421.member_11, _e2421.member_12, _e2421.member_13, _e2421.member_14, _e2421.member_15, _e2421.member_16, _e2421.member_17);
 }
-let _e2459 = phi_3251_;
-phi_3274_ = _e2459;
+let _e2459 = phi_3256_;
+phi_3279_ = _e2459;
 } else {
 let _e2282 = global_1.member.member_5;
 if (((!(_e1985) && _e1984) && (_e2121.member_8 >= f32(bitcast<i32>(_e2282)))) && (select(_e1399, _e1227.member_7, _e2271) != 16i)) {
-phi_3273_ = type_19(_e2270.member, _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, 2f, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
+phi_3278_ = type_24(_e2270.member, _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, 2f, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
 } else {
 if _e2274 {
-phi_3272_ = type_19(_e2270.member, _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, 4f, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
+phi_3277_ = type_24(_e2270.member, _e2270.member_1, _e2270.member_2, _e2270.member_3, _e2270.member_4, _e2270.member_5, 4f, _e2270.member_7, _e2270.member_8, _e2270.member_9, _e2270.member_10, _e2270.member_11, _e2270.member_12, _e2270.member_13, _e2270.member_14, _e2270.member_15, _e2270.member_16, _e2270.member_17);
 } else {
-phi_3272_ = _e2270;
+phi_3277_ = _e2270;
 }
-let _e2308 = phi_3272_;
-phi_3273_ = _e2308;
+let _e2308 = phi_3277_;
+phi_3278_ = _e2308;
 }
-let _e2328 = phi_3273_;
-phi_3274_ = _e2328;
+let _e2328 = phi_3278_;
+phi_3279_ = _e2328;
 }
-let _e2461 = phi_3274_;
-let _e2481 = type_19(_e2461.member, _e2461.member_1, _e2461.member_2, _e2461.member_3, _e2461.member_4, _e2461.member_5, _e2461.member_6, select(_e1227.member_7, _e1399, !(_e2271)), _e2461.member_8, _e2461.member_9, _e2461.member_10, _e2461.member_11, _e2461.member_12, _e2461.member_13, _e2461.member_14, _e2461.member_15, _e2461.member_16, _e2461.member_17);
-phi_3282_ = type_19(_e2481.member, _e2481.member_1, _e2481.member_2, _e2481.member_3, _e1368, _e2481.member_5, _e2481.member_6, _e2481.member_7, _e2481.member_8, _e2481.member_9, _e2481.member_10, _e2481.member_11, _e2481.member_12, _e2481.member_13, _e2481.member_14, _e2481.member_15, _e2481.member_16, _e2481.member_17);
+let _e2461 = phi_3279_;
+let _e2481 = type_24(_e2461.member, _e2461.member_1, _e2461.member_2, _e2461.member_3, _e2461.member_4, _e2461.member_5, _e2461.member_6, select(_e1227.member_7, _e1399, !(_e2271)), _e2461.member_8, _e2461.member_9, _e2461.member_10, _e2461.member_11, _e2461.member_12, _e2461.member_13, _e2461.member_14, _e2461.member_15, _e2461.member_16, _e2461.member_17);
+phi_3287_ = type_24(_e2481.member, _e2481.member_1, _e2481.member_2, _e2481.member_3, _e1368, _e2481.member_5, _e2481.member_6, _e2481.member_7, _e2481.member_8, _e2481.member_9, _e2481.member_10, _e2481.member_11, _e2481.member_12, _e2481.member_13, _e2481.member_14, _e2481.member_15, _e2481.member_16, _e2481.member_17);
 } else {
-phi_3282_ = _e1227;
+phi_3287_ = _e1227;
 }
-let _e2501 = phi_3282_;
-phi_3283_ = _e2501;
+let _e2501 = phi_3287_;
+phi_3288_ = _e2501;
 } else {
-phi_3283_ = _e1227;
+phi_3288_ = _e1227;
 }
-let _e2503 = phi_3283_;
-phi_3284_ = _e2503;
+let _e2503 = phi_3288_;
+phi_3289_ = _e2503;
 }
-let _e2505 = phi_3284_;
-phi_3285_ = _e2505;
+let _e2505 = phi_3289_;
+phi_3290_ = _e2505;
 }
-let _e2645 = phi_3285_;
-phi_864_ = _e2645;
-phi_867_ = (_e542 + 1i);
+let _e2645 = phi_3290_;
+phi_869_ = _e2645;
+phi_872_ = (_e542 + 1i);
 } else {
-phi_864_ = type_19();
-phi_867_ = i32();
+phi_869_ = type_24();
+phi_872_ = i32();
 }
-let _e2647 = phi_864_;
-let _e2649 = phi_867_;
+let _e2647 = phi_869_;
+let _e2649 = phi_872_;
 continue;
 continuing {
-phi_863_ = _e2647;
-phi_866_ = _e2649;
+phi_868_ = _e2647;
+phi_871_ = _e2649;
 break if !(_e546);
 }
 }

@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,16 +149,17 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
-struct type_14 {
-member: type_13,
+struct type_19 {
+member: type_18,
 }
-struct type_16 {
+struct type_21 {
 member: array<f32>,
 }
-struct type_20 {
+struct type_25 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -119,46 +179,46 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_24 {
+struct type_29 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(4)
-var<storage> global_2: type_16;
+var<storage> global_2: type_21;
 @group(0) @binding(5)
-var<storage, read_write> global_3: type_16;
+var<storage, read_write> global_3: type_21;
 @group(0) @binding(1)
-var<storage> global_4: type_16;
+var<storage> global_4: type_21;
 @group(0) @binding(3)
-var<storage> global_5: type_16;
+var<storage> global_5: type_21;
 @group(0) @binding(2)
-var<storage> global_6: type_16;
+var<storage> global_6: type_21;
 @group(0) @binding(6)
-var<storage, read_write> global_7: type_24;
+var<storage, read_write> global_7: type_29;
 fn function_() {
 var local: i32;
 var local_1: i32;
-var phi_814_: type_20;
-var phi_829_: type_20;
-var phi_832_: i32;
-var phi_1124_: i32;
-var phi_1491_: type_20;
-var phi_1492_: type_20;
-var phi_1559_: type_20;
-var phi_830_: type_20;
-var phi_833_: i32;
+var phi_819_: type_25;
+var phi_834_: type_25;
+var phi_837_: i32;
+var phi_1129_: i32;
+var phi_1496_: type_25;
+var phi_1497_: type_25;
+var phi_1564_: type_25;
+var phi_835_: type_25;
+var phi_838_: i32;
 var local_2: bool;
-var local_3: type_20;
-var local_4: type_20;
+var local_3: type_25;
+var local_4: type_25;
 var local_5: i32;
-var phi_1572_: array<f32, 4>;
-var phi_1573_: array<f32, 4>;
-var phi_1574_: array<f32, 4>;
-var phi_1575_: array<f32, 4>;
-var phi_1576_: bool;
+var phi_1577_: array<f32, 4>;
+var phi_1578_: array<f32, 4>;
+var phi_1579_: array<f32, 4>;
 var phi_1580_: array<f32, 4>;
+var phi_1581_: bool;
+var phi_1585_: array<f32, 4>;
 let _e61 = global;
 let _e68 = arrayLength((&global_5.member));
 let _e77 = global_1.member.member;
@@ -196,9 +256,9 @@ atomicStore((&global_7.member[2u]), 1u);
 }
 if (_e132 > 1u) {
 if _e131 {
-phi_1574_ = array<f32, 4>(_e97, _e107, _e118, _e129);
-phi_1575_ = array<f32, 4>();
-phi_1576_ = true;
+phi_1579_ = array<f32, 4>(_e97, _e107, _e118, _e129);
+phi_1580_ = array<f32, 4>();
+phi_1581_ = true;
 } else {
 let _e165 = global_1.member.member.member;
 let _e169 = global_1.member.member.member_1;
@@ -210,8 +270,8 @@ let _e180 = select(_e178, _e176, (_e176 < _e178));
 let _e186 = global_4.member[bitcast<u32>(select(0i, _e180, (_e180 > 0i)))];
 let _e187 = (_e186 <= 0f);
 if _e187 {
-phi_1572_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
-phi_1573_ = array<f32, 4>();
+phi_1577_ = array<f32, 4>(2f, 0f, -1f, 1e30f);
+phi_1578_ = array<f32, 4>();
 } else {
 let _e189 = ((20i * _e171) + _e175);
 let _e191 = select(_e178, _e189, (_e189 < _e178));
@@ -282,17 +342,17 @@ let _e401 = (_e399 > 1e-9f);
 let _e405 = ((_e393 / select(1e-9f, _e399, _e401)) - 0.015625f);
 let _e408 = select(1e30f, select(0f, _e405, (_e405 > 0f)), ((_e393 > 0f) && _e401));
 let _e412 = (_e408 < _e377);
-phi_814_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
+phi_819_ = type_25(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, 0i, select(select(-2i, -3i, _e412), -1i, ((_e377 >= 1e30f) && (_e408 >= 1e30f))), select(_e377, _e408, _e412));
 } else {
-phi_814_ = type_20(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
+phi_819_ = type_25(_e296, _e344, vec3<f32>(1f, 1f, 1f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 1e9f, 0f, 16i, 0f, 0f, 0f, 0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0i, select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)), select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)), _e129);
 }
-let _e418 = phi_814_;
+let _e418 = phi_819_;
 let _e419 = bitcast<i32>(arrayLength((&global_6.member)));
-phi_829_ = _e418;
-phi_832_ = 0i;
+phi_834_ = _e418;
+phi_837_ = 0i;
 loop {
-let _e422 = phi_829_;
-let _e424 = phi_832_;
+let _e422 = phi_834_;
+let _e424 = phi_837_;
 local_3 = _e422;
 local_4 = _e422;
 let _e427 = (_e422.member_15 < (_e419 / 8i));
@@ -342,15 +402,15 @@ let _e558 = (_e438 + 6i);
 let _e560 = select(_e464, _e558, (_e558 < _e464));
 let _e566 = global_6.member[bitcast<u32>(select(0i, _e560, (_e560 > 0i)))];
 if _e557 {
-phi_1124_ = (_e422.member_15 + 1i);
+phi_1129_ = (_e422.member_15 + 1i);
 } else {
 let _e574 = (_e438 + 7i);
 let _e576 = select(_e464, _e574, (_e574 < _e464));
 let _e582 = global_6.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
-phi_1124_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
+phi_1129_ = select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582));
 }
-let _e592 = phi_1124_;
-let _e610 = type_20(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e592, _e422.member_16, _e422.member_17);
+let _e592 = phi_1129_;
+let _e610 = type_25(_e422.member, _e422.member_1, _e422.member_2, _e422.member_3, _e422.member_4, _e422.member_5, _e422.member_6, _e422.member_7, _e422.member_8, _e422.member_9, _e422.member_10, _e422.member_11, _e422.member_12, _e422.member_13, _e422.member_14, _e592, _e422.member_16, _e422.member_17);
 let _e611 = select(-1i, select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566)), _e557);
 if (_e611 >= 0i) {
 let _e617 = bitcast<f32>((bitcast<u32>(_e422.member_1.x) & 2147483647u));
@@ -415,17 +475,17 @@ let _e790 = (!(((((_e768 < 0f) || (_e771 < 0f)) || (_e774 < 0f)) && (((_e768 > 0
 let _e798 = select(1e30f, ((((_e768 * (_e678 * _e638)) + (_e771 * (_e719 * _e638))) + (_e774 * (_e760 * _e638))) / select(1f, _e776, _e790)), _e790);
 let _e800 = select(1e30f, _e798, (_e798 > 1e-3f));
 if (_e800 < _e422.member_17) {
-let _e819 = type_20(_e610.member, _e610.member_1, _e610.member_2, _e610.member_3, _e610.member_4, _e610.member_5, _e610.member_6, _e610.member_7, _e610.member_8, _e610.member_9, _e610.member_10, _e610.member_11, _e610.member_12, _e610.member_13, _e610.member_14, _e610.member_15, _e610.member_16, _e800);
-phi_1491_ = type_20(_e819.member, _e819.member_1, _e819.member_2, _e819.member_3, _e819.member_4, _e819.member_5, _e819.member_6, _e819.member_7, _e819.member_8, _e819.member_9, _e819.member_10, _e819.member_11, _e819.member_12, _e819.member_13, _e819.member_14, _e819.member_15, _e611, _e819.member_17);
+let _e819 = type_25(_e610.member, _e610.member_1, _e610.member_2, _e610.member_3, _e610.member_4, _e610.member_5, _e610.member_6, _e610.member_7, _e610.member_8, _e610.member_9, _e610.member_10, _e610.member_11, _e610.member_12, _e610.member_13, _e610.member_14, _e610.member_15, _e610.member_16, _e800);
+phi_1496_ = type_25(_e819.member, _e819.member_1, _e819.member_2, _e819.member_3, _e819.member_4, _e819.member_5, _e819.member_6, _e819.member_7, _e819.member_8, _e819.member_9, _e819.member_10, _e819.member_11, _e819.member_12, _e819.member_13, _e819.member_14, _e819.member_15, _e611, _e819.member_17);
 } else {
-phi_1491_ = _e610;
+phi_1496_ = _e610;
 }
-let _e839 = phi_1491_;
-phi_1492_ = _e839;
+let _e839 = phi_1496_;
+phi_1497_ = _e839;
 } else {
-phi_1492_ = _e610;
+phi_1497_ = _e610;
 }
-let _e841 = phi_1492_;
+let _e841 = phi_1497_;
 let _e843 = (_e841.member_16 != _e422.member_16);
 let _e846 = ((select(0i, _e841.member_16, _e843) * 19i) + 18i);
 let _e848 = (bitcast<i32>(_e68) - 1i);
@@ -437,24 +497,24 @@ let _e866 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
 let _e868 = select(_e866, _e864, (_e864 < _e866));
 let _e874 = global_2.member[bitcast<u32>(select(0i, _e868, (_e868 > 0i)))];
 if (_e843 && (select(_e874, 1f, (_e863 == 16i)) != 0f)) {
-let _e896 = type_20(_e841.member, _e841.member_1, _e841.member_2, _e841.member_3, _e841.member_4, _e841.member_5, _e841.member_6, _e841.member_7, _e841.member_8, _e841.member_9, _e841.member_10, _e841.member_11, _e841.member_12, _e841.member_13, _e841.member_14, _e841.member_15, _e422.member_16, _e841.member_17);
-phi_1559_ = type_20(_e896.member, _e896.member_1, _e896.member_2, _e896.member_3, _e896.member_4, _e896.member_5, _e896.member_6, _e896.member_7, _e896.member_8, _e896.member_9, _e896.member_10, _e896.member_11, _e896.member_12, _e896.member_13, _e896.member_14, _e896.member_15, _e896.member_16, _e422.member_17);
+let _e896 = type_25(_e841.member, _e841.member_1, _e841.member_2, _e841.member_3, _e841.member_4, _e841.member_5, _e841.member_6, _e841.member_7, _e841.member_8, _e841.member_9, _e841.member_10, _e841.member_11, _e841.member_12, _e841.member_13, _e841.member_14, _e841.member_15, _e422.member_16, _e841.member_17);
+phi_1564_ = type_25(_e896.member, _e896.member_1, _e896.member_2, _e896.member_3, _e896.member_4, _e896.member_5, _e896.member_6, _e896.member_7, _e896.member_8, _e896.member_9, _e896.member_10, _e896.member_11, _e896.member_12, _e896.member_13, _e896.member_14, _e896.member_15, _e896.member_16, _e422.member_17);
 } else {
-phi_1559_ = _e841;
+phi_1564_ = _e841;
 }
-let _e916 = phi_1559_;
-phi_830_ = _e916;
-phi_833_ = (_e424 + 1i);
+let _e916 = phi_1564_;
+phi_835_ = _e916;
+phi_838_ = (_e424 + 1i);
 } else {
-phi_830_ = type_20();
-phi_833_ = i32();
+phi_835_ = type_25();
+phi_838_ = i32();
 }
-let _e918 = phi_830_;
-let _e920 = phi_833_;
+let _e918 = phi_835_;
+let _e920 = phi_838_;
 continue;
 continuing {
-phi_829_ = _e918;
-phi_832_ = _e920;
+phi_834_ = _e918;
+phi_837_ = _e920;
 break if !(_e428);
 }
 }
@@ -462,24 +522,24 @@ let _e923 = local_2;
 let _e926 = local_3;
 let _e929 = local_4;
 let _e932 = local_5;
-phi_1572_ = array<f32, 4>();
-phi_1573_ = array<f32, 4>(select(2f, 1f, _e923), f32(_e932), f32(_e926.member_16), _e929.member_17);
+phi_1577_ = array<f32, 4>();
+phi_1578_ = array<f32, 4>(select(2f, 1f, _e923), f32(_e932), f32(_e926.member_16), _e929.member_17);
 }
-let _e937 = phi_1572_;
-let _e939 = phi_1573_;
-phi_1574_ = _e937;
-phi_1575_ = _e939;
-phi_1576_ = _e187;
+let _e937 = phi_1577_;
+let _e939 = phi_1578_;
+phi_1579_ = _e937;
+phi_1580_ = _e939;
+phi_1581_ = _e187;
 }
-let _e941 = phi_1574_;
-let _e943 = phi_1575_;
-let _e945 = phi_1576_;
+let _e941 = phi_1579_;
+let _e943 = phi_1580_;
+let _e945 = phi_1581_;
 if _e945 {
-phi_1580_ = _e941;
+phi_1585_ = _e941;
 } else {
-phi_1580_ = _e943;
+phi_1585_ = _e943;
 }
-let _e947 = phi_1580_;
+let _e947 = phi_1585_;
 global_3.member[_e86] = _e947[0];
 global_3.member[_e98] = _e947[1];
 global_3.member[_e109] = _e947[2];

@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,16 +149,17 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
-}
-struct type_14 {
-member: type_13,
-}
-struct type_16 {
-member: array<f32>,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
 struct type_19 {
+member: type_18,
+}
+struct type_21 {
+member: array<f32>,
+}
+struct type_24 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -121,56 +181,56 @@ member_17: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(1)
-var<storage> global_2: type_16;
+var<storage> global_2: type_21;
 @group(0) @binding(2)
-var<storage> global_3: type_16;
+var<storage> global_3: type_21;
 @group(0) @binding(4)
-var<storage, read_write> global_4: type_16;
+var<storage, read_write> global_4: type_21;
 fn function_() {
-var phi_750_: u32;
-var phi_816_: type_19;
-var phi_819_: i32;
-var phi_1816_: type_19;
-var phi_1818_: type_19;
-var phi_1114_: i32;
-var phi_1481_: type_19;
-var phi_1482_: type_19;
-var phi_1819_: type_19;
-var phi_817_: type_19;
-var phi_820_: i32;
-var local: type_19;
-var local_1: type_19;
-var local_2: type_19;
-var local_3: type_19;
-var local_4: type_19;
-var local_5: type_19;
-var local_6: type_19;
-var local_7: type_19;
-var local_8: type_19;
-var local_9: type_19;
-var local_10: type_19;
-var local_11: type_19;
-var local_12: type_19;
-var local_13: type_19;
-var local_14: type_19;
-var local_15: type_19;
-var local_16: type_19;
-var local_17: type_19;
-var local_18: type_19;
-var local_19: type_19;
-var local_20: type_19;
-var local_21: type_19;
-var local_22: type_19;
-var local_23: type_19;
-var local_24: type_19;
-var local_25: type_19;
-var local_26: type_19;
-var local_27: type_19;
-var local_28: type_19;
-var local_29: type_19;
-var local_30: type_19;
+var phi_755_: u32;
+var phi_821_: type_24;
+var phi_824_: i32;
+var phi_1821_: type_24;
+var phi_1823_: type_24;
+var phi_1119_: i32;
+var phi_1486_: type_24;
+var phi_1487_: type_24;
+var phi_1824_: type_24;
+var phi_822_: type_24;
+var phi_825_: i32;
+var local: type_24;
+var local_1: type_24;
+var local_2: type_24;
+var local_3: type_24;
+var local_4: type_24;
+var local_5: type_24;
+var local_6: type_24;
+var local_7: type_24;
+var local_8: type_24;
+var local_9: type_24;
+var local_10: type_24;
+var local_11: type_24;
+var local_12: type_24;
+var local_13: type_24;
+var local_14: type_24;
+var local_15: type_24;
+var local_16: type_24;
+var local_17: type_24;
+var local_18: type_24;
+var local_19: type_24;
+var local_20: type_24;
+var local_21: type_24;
+var local_22: type_24;
+var local_23: type_24;
+var local_24: type_24;
+var local_25: type_24;
+var local_26: type_24;
+var local_27: type_24;
+var local_28: type_24;
+var local_29: type_24;
+var local_30: type_24;
 var local_31: f32;
 let _e67 = global;
 let _e76 = global_1.member.member;
@@ -307,18 +367,18 @@ let _e428 = bitcast<i32>(_e427);
 let _e430 = select(_e88, _e428, (_e428 < _e88));
 let _e436 = global_4.member[bitcast<u32>(select(0i, _e430, (_e430 > 0i)))];
 if (_e271 == 4f) {
-phi_750_ = 3u;
+phi_755_ = 3u;
 } else {
-phi_750_ = select(0u, 1u, (_e271 == 0f));
+phi_755_ = select(0u, 1u, (_e271 == 0f));
 }
-let _e441 = phi_750_;
+let _e441 = phi_755_;
 if (_e441 > 1u) {
 let _e480 = bitcast<i32>(arrayLength((&global_2.member)));
-phi_816_ = type_19(vec3<f32>(_e96, _e106, _e117), vec3<f32>(_e128, _e139, _e150), vec3<f32>(_e161, _e172, _e183), vec3<f32>(_e194, _e205, _e216), vec3<f32>(_e227, _e238, _e249), _e260, _e271, select(0i, select(select(i32(_e282), i32(-2147483648), (_e282 < -2147483600f)), 2147483647i, (_e282 > 2147483500f)), (_e282 == _e282)), _e293, _e304, _e315, _e326, vec3<f32>(_e337, _e348, _e359), vec3<f32>(_e370, _e381, _e392), select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < -2147483600f)), 2147483647i, (_e403 > 2147483500f)), (_e403 == _e403)), select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < -2147483600f)), 2147483647i, (_e414 > 2147483500f)), (_e414 == _e414)), select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < -2147483600f)), 2147483647i, (_e425 > 2147483500f)), (_e425 == _e425)), _e436);
-phi_819_ = 0i;
+phi_821_ = type_24(vec3<f32>(_e96, _e106, _e117), vec3<f32>(_e128, _e139, _e150), vec3<f32>(_e161, _e172, _e183), vec3<f32>(_e194, _e205, _e216), vec3<f32>(_e227, _e238, _e249), _e260, _e271, select(0i, select(select(i32(_e282), i32(-2147483648), (_e282 < -2147483600f)), 2147483647i, (_e282 > 2147483500f)), (_e282 == _e282)), _e293, _e304, _e315, _e326, vec3<f32>(_e337, _e348, _e359), vec3<f32>(_e370, _e381, _e392), select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < -2147483600f)), 2147483647i, (_e403 > 2147483500f)), (_e403 == _e403)), select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < -2147483600f)), 2147483647i, (_e414 > 2147483500f)), (_e414 == _e414)), select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < -2147483600f)), 2147483647i, (_e425 > 2147483500f)), (_e425 == _e425)), _e436);
+phi_824_ = 0i;
 loop {
-let _e483 = phi_816_;
-let _e485 = phi_819_;
+let _e483 = phi_821_;
+let _e485 = phi_824_;
 local = _e483;
 local_1 = _e483;
 local_2 = _e483;
@@ -396,15 +456,15 @@ let _e808 = (_e688 + 6i);
 let _e810 = select(_e714, _e808, (_e808 < _e714));
 let _e816 = global_2.member[bitcast<u32>(select(0i, _e810, (_e810 > 0i)))];
 if _e807 {
-phi_1114_ = (_e483.member_15 + 1i);
+phi_1119_ = (_e483.member_15 + 1i);
 } else {
 let _e824 = (_e688 + 7i);
 let _e826 = select(_e714, _e824, (_e824 < _e714));
 let _e832 = global_2.member[bitcast<u32>(select(0i, _e826, (_e826 > 0i)))];
-phi_1114_ = select(0i, select(select(i32(_e832), i32(-2147483648), (_e832 < -2147483600f)), 2147483647i, (_e832 > 2147483500f)), (_e832 == _e832));
+phi_1119_ = select(0i, select(select(i32(_e832), i32(-2147483648), (_e832 < -2147483600f)), 2147483647i, (_e832 > 2147483500f)), (_e832 == _e832));
 }
-let _e842 = phi_1114_;
-let _e860 = type_19(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e842, _e483.member_16, _e483.member_17);
+let _e842 = phi_1119_;
+let _e860 = type_24(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e842, _e483.member_16, _e483.member_17);
 let _e861 = select(-1i, select(0i, select(select(i32(_e816), i32(-2147483648), (_e816 < -2147483600f)), 2147483647i, (_e816 > 2147483500f)), (_e816 == _e816)), _e807);
 if (_e861 >= 0i) {
 let _e867 = bitcast<f32>((bitcast<u32>(_e483.member_1.x) & 2147483647u));
@@ -469,52 +529,52 @@ let _e1040 = (!(((((_e1018 < 0f) || (_e1021 < 0f)) || (_e1024 < 0f)) && (((_e101
 let _e1048 = select(1e30f, ((((_e1018 * (_e928 * _e888)) + (_e1021 * (_e969 * _e888))) + (_e1024 * (_e1010 * _e888))) / select(1f, _e1026, _e1040)), _e1040);
 let _e1050 = select(1e30f, _e1048, (_e1048 > 1e-3f));
 if (_e1050 < _e483.member_17) {
-let _e1069 = type_19(_e860.member, _e860.member_1, _e860.member_2, _e860.member_3, _e860.member_4, _e860.member_5, _e860.member_6, _e860.member_7, _e860.member_8, _e860.member_9, _e860.member_10, _e860.member_11, _e860.member_12, _e860.member_13, _e860.member_14, _e860.member_15, _e860.member_16, _e1050);
-phi_1481_ = type_19(_e1069.member, _e1069.member_1, _e1069.member_2, _e1069.member_3, _e1069.member_4, _e1069.member_5, _e1069.member_6, _e1069.member_7, _e1069.member_8, _e1069.member_9, _e1069.member_10, _e1069.member_11, _e1069.member_12, _e1069.member_13, _e1069.member_14, _e1069.member_15, _e861, _e1069.member_17);
+let _e1069 = type_24(_e860.member, _e860.member_1, _e860.member_2, _e860.member_3, _e860.member_4, _e860.member_5, _e860.member_6, _e860.member_7, _e860.member_8, _e860.member_9, _e860.member_10, _e860.member_11, _e860.member_12, _e860.member_13, _e860.member_14, _e860.member_15, _e860.member_16, _e1050);
+phi_1486_ = type_24(_e1069.member, _e1069.member_1, _e1069.member_2, _e1069.member_3, _e1069.member_4, _e1069.member_5, _e1069.member_6, _e1069.member_7, _e1069.member_8, _e1069.member_9, _e1069.member_10, _e1069.member_11, _e1069.member_12, _e1069.member_13, _e1069.member_14, _e1069.member_15, _e861, _e1069.member_17);
 } else {
-phi_1481_ = _e860;
+phi_1486_ = _e860;
 }
-let _e1089 = phi_1481_;
-phi_1482_ = _e1089;
+let _e1089 = phi_1486_;
+phi_1487_ = _e1089;
 } else {
-phi_1482_ = _e860;
+phi_1487_ = _e860;
 }
-let _e1091 = phi_1482_;
-phi_1819_ = _e1091;
+let _e1091 = phi_1487_;
+phi_1824_ = _e1091;
 } else {
 let _e499 = (24f + 1f);
 let _e501 = select(_e499, _e483.member_8, (_e483.member_8 < _e499));
 if (((_e76.member_2 == 0u) && (_e483.member_8 >= 2f)) && !(((((_e483.member_13.x + _e483.member_13.y) + _e483.member_13.z) <= 0f) && ((((2i * _e483.member_14) >> bitcast<u32>((select(0i, select(select(i32(_e501), i32(-2147483648), (_e501 < -2147483600f)), 2147483647i, (_e501 > 2147483500f)), (_e501 == _e501)) & 31i))) & 1i) == 1i)))) {
 if (_e483.member_16 == -1i) {
-phi_1816_ = type_19(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, 1f, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15, _e483.member_16, _e483.member_17);
+phi_1821_ = type_24(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, 1f, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15, _e483.member_16, _e483.member_17);
 } else {
-let _e579 = type_19(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_17)), (_e483.member.y + (_e483.member_1.y * _e483.member_17)), (_e483.member.z + (_e483.member_1.z * _e483.member_17))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15, _e483.member_16, _e483.member_17);
-let _e599 = type_19(_e579.member, _e579.member_1, _e579.member_2, _e579.member_3, _e579.member_4, (_e483.member_5 + _e483.member_17), _e579.member_6, _e579.member_7, _e579.member_8, _e579.member_9, _e579.member_10, _e579.member_11, _e579.member_12, _e579.member_13, _e579.member_14, _e579.member_15, _e579.member_16, _e579.member_17);
-let _e618 = type_19(_e599.member, _e599.member_1, _e599.member_2, _e599.member_3, _e599.member_4, _e599.member_5, _e599.member_6, _e599.member_7, _e599.member_8, _e599.member_9, _e599.member_10, _e599.member_11, _e599.member_12, _e599.member_13, _e599.member_14, _e599.member_15, _e599.member_16, (_e483.member_17 - _e483.member_17));
-let _e640 = type_19(_e618.member, _e618.member_1, _e618.member_2, _e618.member_3, _e618.member_4, _e618.member_5, _e618.member_6, _e618.member_7, _e618.member_8, _e618.member_9, (_e483.member_10 + select(0f, _e483.member_17, (_e483.member_8 == 0f))), _e618.member_11, _e618.member_12, _e618.member_13, _e618.member_14, _e618.member_15, _e618.member_16, _e618.member_17);
-phi_1816_ = type_19(_e640.member, _e640.member_1, _e640.member_2, _e640.member_3, _e640.member_4, _e640.member_5, 3f, _e640.member_7, _e640.member_8, _e640.member_9, _e640.member_10, _e640.member_11, _e640.member_12, _e640.member_13, _e640.member_14, _e640.member_15, _e640.member_16, _e640.member_17);
+let _e579 = type_24(vec3<f32>((_e483.member.x + (_e483.member_1.x * _e483.member_17)), (_e483.member.y + (_e483.member_1.y * _e483.member_17)), (_e483.member.z + (_e483.member_1.z * _e483.member_17))), _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, _e483.member_6, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15, _e483.member_16, _e483.member_17);
+let _e599 = type_24(_e579.member, _e579.member_1, _e579.member_2, _e579.member_3, _e579.member_4, (_e483.member_5 + _e483.member_17), _e579.member_6, _e579.member_7, _e579.member_8, _e579.member_9, _e579.member_10, _e579.member_11, _e579.member_12, _e579.member_13, _e579.member_14, _e579.member_15, _e579.member_16, _e579.member_17);
+let _e618 = type_24(_e599.member, _e599.member_1, _e599.member_2, _e599.member_3, _e599.member_4, _e599.member_5, _e599.member_6, _e599.member_7, _e599.member_8, _e599.member_9, _e599.member_10, _e599.member_11, _e599.member_12, _e599.member_13, _e599.member_14, _e599.member_15, _e599.member_16, (_e483.member_17 - _e483.member_17));
+let _e640 = type_24(_e618.member, _e618.member_1, _e618.member_2, _e618.member_3, _e618.member_4, _e618.member_5, _e618.member_6, _e618.member_7, _e618.member_8, _e618.member_9, (_e483.member_10 + select(0f, _e483.member_17, (_e483.member_8 == 0f))), _e618.member_11, _e618.member_12, _e618.member_13, _e618.member_14, _e618.member_15, _e618.member_16, _e618.member_17);
+phi_1821_ = type_24(_e640.member, _e640.member_1, _e640.member_2, _e640.member_3, _e640.member_4, _e640.member_5, 3f, _e640.member_7, _e640.member_8, _e640.member_9, _e640.member_10, _e640.member_11, _e640.member_12, _e640.member_13, _e640.member_14, _e640.member_15, _e640.member_16, _e640.member_17);
 }
-let _e678 = phi_1816_;
-phi_1818_ = _e678;
+let _e678 = phi_1821_;
+phi_1823_ = _e678;
 } else {
-phi_1818_ = type_19(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, 0f, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15, _e483.member_16, _e483.member_17);
+phi_1823_ = type_24(_e483.member, _e483.member_1, _e483.member_2, _e483.member_3, _e483.member_4, _e483.member_5, 0f, _e483.member_7, _e483.member_8, _e483.member_9, _e483.member_10, _e483.member_11, _e483.member_12, _e483.member_13, _e483.member_14, _e483.member_15, _e483.member_16, _e483.member_17);
 }
-let _e680 = phi_1818_;
-phi_1819_ = _e680;
+let _e680 = phi_1823_;
+phi_1824_ = _e680;
 }
-let _e1093 = phi_1819_;
-phi_817_ = _e1093;
-phi_820_ = (_e485 + 1i);
+let _e1093 = phi_1824_;
+phi_822_ = _e1093;
+phi_825_ = (_e485 + 1i);
 } else {
-phi_817_ = type_19();
-phi_820_ = i32();
+phi_822_ = type_24();
+phi_825_ = i32();
 }
-let _e1095 = phi_817_;
-let _e1097 = phi_820_;
+let _e1095 = phi_822_;
+let _e1097 = phi_825_;
 continue;
 continuing {
-phi_816_ = _e1095;
-phi_819_ = _e1097;
+phi_821_ = _e1095;
+phi_824_ = _e1097;
 break if !(_e489);
 }
 }

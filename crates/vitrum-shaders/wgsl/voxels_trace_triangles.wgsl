@@ -58,6 +58,18 @@ member_3: type_5,
 member_4: type_10,
 }
 struct type_12 {
+member: type_5,
+member_1: type_5,
+member_2: type_5,
+member_3: type_5,
+member_4: type_5,
+member_5: type_5,
+member_6: type_5,
+member_7: type_5,
+member_8: type_5,
+member_9: type_5,
+}
+struct type_13 {
 member: type_2,
 member_1: u32,
 member_2: type_5,
@@ -68,8 +80,55 @@ member_6: type_7,
 member_7: type_5,
 member_8: f32,
 member_9: f32,
+member_10: f32,
+member_11: u32,
+member_12: u32,
+member_13: u32,
 }
-struct type_13 {
+struct type_14 {
+member: u32,
+member_1: u32,
+}
+struct type_15 {
+member: type_14,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_16 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_17 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_14,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_14,
+member_18: type_15,
+member_19: type_5,
+member_20: type_16,
+member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
+}
+struct type_18 {
 member: type_2,
 member_1: u32,
 member_2: type_2,
@@ -90,16 +149,17 @@ member_16: type_6,
 member_17: type_5,
 member_18: type_9,
 member_19: type_11,
-member_20: type_5,
-member_21: type_12,
+member_20: type_12,
+member_21: type_13,
+member_22: type_17,
 }
-struct type_14 {
-member: type_13,
+struct type_19 {
+member: type_18,
 }
-struct type_16 {
+struct type_21 {
 member: array<f32>,
 }
-struct type_20 {
+struct type_25 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -119,45 +179,45 @@ member_15: i32,
 member_16: i32,
 member_17: f32,
 }
-struct type_21 {
+struct type_26 {
 member: i32,
 member_1: i32,
 member_2: f32,
 member_3: f32,
 member_4: f32,
 }
-struct type_24 {
+struct type_29 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_14;
+var<storage> global_1: type_19;
 @group(0) @binding(1)
-var<storage> global_2: type_16;
+var<storage> global_2: type_21;
 @group(0) @binding(2)
-var<storage> global_3: type_16;
+var<storage> global_3: type_21;
 @group(0) @binding(3)
-var<storage> global_4: type_16;
+var<storage> global_4: type_21;
 @group(0) @binding(4)
-var<storage, read_write> global_5: type_16;
+var<storage, read_write> global_5: type_21;
 @group(0) @binding(5)
-var<storage, read_write> global_6: type_24;
+var<storage, read_write> global_6: type_29;
 fn function_() {
-var phi_782_: u32;
-var phi_1046_: f32;
-var phi_1092_: i32;
-var phi_1094_: type_21;
-var phi_1097_: type_20;
-var phi_1099_: i32;
-var phi_1101_: i32;
-var phi_2215_: i32;
-var phi_2218_: i32;
-var phi_2216_: i32;
-var phi_2219_: i32;
-var phi_2247_: i32;
-var phi_2250_: i32;
-var phi_2248_: i32;
-var phi_2251_: i32;
+var phi_787_: u32;
+var phi_1051_: f32;
+var phi_1097_: i32;
+var phi_1099_: type_26;
+var phi_1102_: type_25;
+var phi_1104_: i32;
+var phi_1106_: i32;
+var phi_2220_: i32;
+var phi_2223_: i32;
+var phi_2221_: i32;
+var phi_2224_: i32;
+var phi_2252_: i32;
+var phi_2255_: i32;
+var phi_2253_: i32;
+var phi_2256_: i32;
 var local: i32;
 var local_1: i32;
 var local_2: i32;
@@ -165,107 +225,107 @@ var local_3: i32;
 var local_4: i32;
 var local_5: i32;
 var local_6: i32;
-var phi_3883_: type_20;
-var phi_4389_: type_20;
-var phi_4787_: i32;
-var phi_4789_: i32;
-var phi_4817_: type_20;
-var phi_4818_: type_20;
-var phi_4898_: type_20;
-var phi_4899_: type_20;
-var phi_4917_: type_20;
+var phi_3888_: type_25;
+var phi_4394_: type_25;
+var phi_4792_: i32;
+var phi_4794_: i32;
+var phi_4822_: type_25;
+var phi_4823_: type_25;
+var phi_4903_: type_25;
+var phi_4904_: type_25;
+var phi_4922_: type_25;
 var local_7: i32;
 var local_8: i32;
-var phi_5365_: type_20;
-var phi_5366_: type_20;
-var phi_5344_: type_20;
-var phi_5367_: type_20;
+var phi_5370_: type_25;
+var phi_5371_: type_25;
+var phi_5349_: type_25;
+var phi_5372_: type_25;
 var local_9: i32;
 var local_10: i32;
-var phi_2601_: type_20;
-var phi_5373_: type_21;
-var phi_5374_: type_20;
-var phi_5375_: i32;
-var phi_5376_: type_21;
-var phi_5377_: type_20;
-var phi_5378_: i32;
-var phi_5380_: type_21;
-var phi_5381_: type_20;
-var phi_5382_: i32;
-var phi_5384_: bool;
-var phi_5395_: type_21;
-var phi_5396_: type_20;
-var phi_5397_: i32;
-var phi_5399_: bool;
-var phi_5400_: bool;
-var phi_5697_: type_20;
-var phi_5698_: type_20;
+var phi_2606_: type_25;
+var phi_5378_: type_26;
+var phi_5379_: type_25;
+var phi_5380_: i32;
+var phi_5381_: type_26;
+var phi_5382_: type_25;
+var phi_5383_: i32;
+var phi_5385_: type_26;
+var phi_5386_: type_25;
+var phi_5387_: i32;
+var phi_5389_: bool;
+var phi_5400_: type_26;
+var phi_5401_: type_25;
+var phi_5402_: i32;
+var phi_5404_: bool;
+var phi_5405_: bool;
+var phi_5702_: type_25;
+var phi_5703_: type_25;
 var local_11: i32;
 var local_12: i32;
-var phi_5965_: type_20;
-var phi_6253_: type_21;
-var phi_6254_: type_20;
-var phi_6260_: type_21;
-var phi_6261_: type_20;
-var phi_1408_: i32;
-var phi_2022_: i32;
-var phi_2186_: type_21;
-var phi_2178_: bool;
-var phi_2179_: bool;
-var phi_2187_: type_21;
-var phi_2188_: bool;
-var phi_2195_: type_21;
-var phi_2196_: type_20;
-var phi_2197_: type_21;
-var phi_2198_: type_20;
-var phi_2200_: type_21;
-var phi_2201_: type_20;
-var phi_2202_: bool;
-var phi_2206_: type_21;
-var phi_2207_: type_20;
-var phi_2208_: bool;
-var phi_2212_: type_21;
-var phi_2213_: type_20;
-var phi_6263_: type_21;
-var phi_6264_: type_20;
-var phi_6265_: i32;
-var phi_1095_: type_21;
-var phi_1098_: type_20;
-var phi_1100_: i32;
-var phi_1102_: i32;
+var phi_5970_: type_25;
+var phi_6258_: type_26;
+var phi_6259_: type_25;
+var phi_6265_: type_26;
+var phi_6266_: type_25;
+var phi_1413_: i32;
+var phi_2027_: i32;
+var phi_2191_: type_26;
+var phi_2183_: bool;
+var phi_2184_: bool;
+var phi_2192_: type_26;
+var phi_2193_: bool;
+var phi_2200_: type_26;
+var phi_2201_: type_25;
+var phi_2202_: type_26;
+var phi_2203_: type_25;
+var phi_2205_: type_26;
+var phi_2206_: type_25;
+var phi_2207_: bool;
+var phi_2211_: type_26;
+var phi_2212_: type_25;
+var phi_2213_: bool;
+var phi_2217_: type_26;
+var phi_2218_: type_25;
+var phi_6268_: type_26;
+var phi_6269_: type_25;
+var phi_6270_: i32;
+var phi_1100_: type_26;
+var phi_1103_: type_25;
+var phi_1105_: i32;
+var phi_1107_: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_6271_: i32;
-var local_15: type_21;
-var local_16: type_21;
-var local_17: type_21;
-var local_18: type_21;
-var local_19: type_20;
-var local_20: type_20;
-var local_21: type_20;
-var local_22: type_20;
-var local_23: type_20;
-var local_24: type_20;
-var local_25: type_20;
-var local_26: type_20;
-var local_27: type_20;
-var local_28: type_20;
-var local_29: type_20;
-var local_30: type_20;
-var local_31: type_20;
-var local_32: type_20;
-var local_33: type_20;
-var local_34: type_20;
-var local_35: type_20;
-var local_36: type_20;
-var local_37: type_20;
-var local_38: type_20;
-var local_39: type_20;
-var local_40: type_20;
-var local_41: type_20;
-var local_42: type_20;
-var local_43: type_20;
-var local_44: type_20;
+var phi_6276_: i32;
+var local_15: type_26;
+var local_16: type_26;
+var local_17: type_26;
+var local_18: type_26;
+var local_19: type_25;
+var local_20: type_25;
+var local_21: type_25;
+var local_22: type_25;
+var local_23: type_25;
+var local_24: type_25;
+var local_25: type_25;
+var local_26: type_25;
+var local_27: type_25;
+var local_28: type_25;
+var local_29: type_25;
+var local_30: type_25;
+var local_31: type_25;
+var local_32: type_25;
+var local_33: type_25;
+var local_34: type_25;
+var local_35: type_25;
+var local_36: type_25;
+var local_37: type_25;
+var local_38: type_25;
+var local_39: type_25;
+var local_40: type_25;
+var local_41: type_25;
+var local_42: type_25;
+var local_43: type_25;
+var local_44: type_25;
 var local_45: f32;
 let _e106 = global;
 let _e110 = arrayLength((&global_3.member));
@@ -404,11 +464,11 @@ let _e471 = bitcast<i32>(_e470);
 let _e473 = select(_e131, _e471, (_e471 < _e131));
 let _e479 = global_5.member[bitcast<u32>(select(0i, _e473, (_e473 > 0i)))];
 if (_e314 == 0f) {
-phi_782_ = 3u;
+phi_787_ = 3u;
 } else {
-phi_782_ = select(0u, 1u, (_e314 == 4f));
+phi_787_ = select(0u, 1u, (_e314 == 4f));
 }
-let _e484 = phi_782_;
+let _e484 = phi_787_;
 if (_e484 > 0u) {
 if (arrayLength((&global_6.member)) >= 3u) {
 let _e493 = atomicLoad((&global_6.member[0u]));
@@ -463,28 +523,28 @@ let _e635 = ((_e594 * _e625) - (_e595 * _e624));
 let _e640 = (((_e629 * _e629) + (_e632 * _e632)) + (_e635 * _e635));
 let _e643 = sqrt(select(0f, _e640, (_e640 > 0f)));
 let _e646 = (1f / select(1e-20f, _e643, (_e643 > 1e-20f)));
-phi_1046_ = (((_e171 * (_e629 * _e646)) + (_e182 * (_e632 * _e646))) + (_e193 * (_e635 * _e646)));
+phi_1051_ = (((_e171 * (_e629 * _e646)) + (_e182 * (_e632 * _e646))) + (_e193 * (_e635 * _e646)));
 } else {
-phi_1046_ = 1f;
+phi_1051_ = 1f;
 }
-let _e656 = phi_1046_;
+let _e656 = phi_1051_;
 let _e673 = bitcast<f32>((bitcast<u32>(_e656) & 2147483647u));
 let _e677 = bitcast<i32>(arrayLength((&global_2.member)));
 if (_e512 == 16i) {
-phi_1092_ = 0i;
+phi_1097_ = 0i;
 } else {
-phi_1092_ = -(_e512);
+phi_1097_ = -(_e512);
 }
-let _e682 = phi_1092_;
-phi_1094_ = type_21(select(0i, select(select(i32(_e270), i32(-2147483648), (_e270 < -2147483600f)), 2147483647i, (_e270 > 2147483500f)), (_e270 == _e270)), select(0i, select(select(i32(_e281), i32(-2147483648), (_e281 < -2147483600f)), 2147483647i, (_e281 > 2147483500f)), (_e281 == _e281)), _e292, _e303, select(1e-3f, _e673, (_e673 > 1e-3f)));
-phi_1097_ = type_20(vec3<f32>(_e139, _e149, _e160), vec3<f32>(_e171, _e182, _e193), vec3<f32>(_e204, _e215, _e226), vec3<f32>(_e237, _e248, _e259), vec3<f32>(_e270, _e281, _e292), _e303, _e314, _e512, _e336, _e347, _e358, _e369, vec3<f32>(_e380, _e391, _e402), vec3<f32>(_e413, _e424, _e435), select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < -2147483600f)), 2147483647i, (_e446 > 2147483500f)), (_e446 == _e446)), select(0i, select(select(i32(_e457), i32(-2147483648), (_e457 < -2147483600f)), 2147483647i, (_e457 > 2147483500f)), (_e457 == _e457)), _e535, _e479);
-phi_1099_ = 0i;
-phi_1101_ = _e682;
+let _e682 = phi_1097_;
+phi_1099_ = type_26(select(0i, select(select(i32(_e270), i32(-2147483648), (_e270 < -2147483600f)), 2147483647i, (_e270 > 2147483500f)), (_e270 == _e270)), select(0i, select(select(i32(_e281), i32(-2147483648), (_e281 < -2147483600f)), 2147483647i, (_e281 > 2147483500f)), (_e281 == _e281)), _e292, _e303, select(1e-3f, _e673, (_e673 > 1e-3f)));
+phi_1102_ = type_25(vec3<f32>(_e139, _e149, _e160), vec3<f32>(_e171, _e182, _e193), vec3<f32>(_e204, _e215, _e226), vec3<f32>(_e237, _e248, _e259), vec3<f32>(_e270, _e281, _e292), _e303, _e314, _e512, _e336, _e347, _e358, _e369, vec3<f32>(_e380, _e391, _e402), vec3<f32>(_e413, _e424, _e435), select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < -2147483600f)), 2147483647i, (_e446 > 2147483500f)), (_e446 == _e446)), select(0i, select(select(i32(_e457), i32(-2147483648), (_e457 < -2147483600f)), 2147483647i, (_e457 > 2147483500f)), (_e457 == _e457)), _e535, _e479);
+phi_1104_ = 0i;
+phi_1106_ = _e682;
 loop {
-let _e684 = phi_1094_;
-let _e686 = phi_1097_;
-let _e688 = phi_1099_;
-let _e690 = phi_1101_;
+let _e684 = phi_1099_;
+let _e686 = phi_1102_;
+let _e688 = phi_1104_;
+let _e690 = phi_1106_;
 local_13 = _e690;
 local_14 = _e690;
 local_15 = _e684;
@@ -566,20 +626,20 @@ let _e3600 = (_e3480 + 6i);
 let _e3602 = select(_e3506, _e3600, (_e3600 < _e3506));
 let _e3608 = global_2.member[bitcast<u32>(select(0i, _e3602, (_e3602 > 0i)))];
 if _e3599 {
-phi_1408_ = (_e686.member_15 + 1i);
+phi_1413_ = (_e686.member_15 + 1i);
 } else {
 let _e3616 = (_e3480 + 7i);
 let _e3618 = select(_e3506, _e3616, (_e3616 < _e3506));
 let _e3624 = global_2.member[bitcast<u32>(select(0i, _e3618, (_e3618 > 0i)))];
-phi_1408_ = select(0i, select(select(i32(_e3624), i32(-2147483648), (_e3624 < -2147483600f)), 2147483647i, (_e3624 > 2147483500f)), (_e3624 == _e3624));
+phi_1413_ = select(0i, select(select(i32(_e3624), i32(-2147483648), (_e3624 < -2147483600f)), 2147483647i, (_e3624 > 2147483500f)), (_e3624 == _e3624));
 }
-let _e3634 = phi_1408_;
-let _e3652 = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e3634, _e686.member_16, _e686.member_17);
+let _e3634 = phi_1413_;
+let _e3652 = type_25(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e3634, _e686.member_16, _e686.member_17);
 let _e3653 = select(-1i, select(0i, select(select(i32(_e3608), i32(-2147483648), (_e3608 < -2147483600f)), 2147483647i, (_e3608 > 2147483500f)), (_e3608 == _e3608)), _e3599);
 if (_e3653 < 0i) {
-phi_2206_ = type_21();
-phi_2207_ = type_20();
-phi_2208_ = true;
+phi_2211_ = type_26();
+phi_2212_ = type_25();
+phi_2213_ = true;
 } else {
 let _e3659 = bitcast<f32>((bitcast<u32>(_e686.member_1.x) & 2147483647u));
 let _e3663 = bitcast<f32>((bitcast<u32>(_e686.member_1.y) & 2147483647u));
@@ -642,9 +702,9 @@ let _e3818 = ((_e3810 + _e3813) + _e3816);
 let _e3832 = (!(((((_e3810 < 0f) || (_e3813 < 0f)) || (_e3816 < 0f)) && (((_e3810 > 0f) || (_e3813 > 0f)) || (_e3816 > 0f)))) && (_e3818 != 0f));
 let _e3840 = select(1e30f, ((((_e3810 * (_e3720 * _e3680)) + (_e3813 * (_e3761 * _e3680))) + (_e3816 * (_e3802 * _e3680))) / select(1f, _e3818, _e3832)), _e3832);
 if (_e3840 >= _e3472) {
-phi_2200_ = type_21();
-phi_2201_ = type_20();
-phi_2202_ = true;
+phi_2205_ = type_26();
+phi_2206_ = type_25();
+phi_2207_ = true;
 } else {
 let _e3842 = (_e3734 - _e3693);
 let _e3843 = (_e3743 - _e3702);
@@ -672,11 +732,11 @@ let _e3907 = global_4.member[bitcast<u32>(select(0i, _e3901, (_e3901 > 0i)))];
 let _e3909 = select(_e3907, 1f, (_e3896 == 16i));
 let _e3910 = (_e3909 <= 0f);
 if _e3910 {
-phi_2022_ = 0i;
+phi_2027_ = 0i;
 } else {
-phi_2022_ = (1i << bitcast<u32>((_e3896 & 31i)));
+phi_2027_ = (1i << bitcast<u32>((_e3896 & 31i)));
 }
-let _e3915 = phi_2022_;
+let _e3915 = phi_2027_;
 let _e3916 = (_e3875 < 0f);
 let _e3917 = select(_e3915, 0i, _e3916);
 let _e3918 = select(0i, _e3915, _e3916);
@@ -685,8 +745,8 @@ let _e3940 = (((_e3840 > _e684.member_2) && (_e684.member_2 > 0f)) || (((_e3927 
 if _e3940 {
 let _e3941 = (_e3840 < _e686.member_17);
 if (_e3467 && ((bitcast<f32>((bitcast<u32>((_e3840 - _e686.member_17)) & 2147483647u)) * select(_e684.member_4, _e3880, (_e3880 > _e684.member_4))) <= _e3465)) {
-let _e3974 = type_21((_e684.member | _e3918), _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
-let _e3981 = type_21(_e3974.member, (_e684.member_1 | _e3917), _e3974.member_2, _e3974.member_3, _e3974.member_4);
+let _e3974 = type_26((_e684.member | _e3918), _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
+let _e3981 = type_26(_e3974.member, (_e684.member_1 | _e3917), _e3974.member_2, _e3974.member_3, _e3974.member_4);
 let _e3991 = ((_e686.member_16 * 19i) + 18i);
 let _e3993 = select(_e3685, _e3991, (_e3991 < _e3685));
 let _e3999 = global_3.member[bitcast<u32>(select(0i, _e3993, (_e3993 > 0i)))];
@@ -695,83 +755,83 @@ let _e4007 = (_e4006 * 4i);
 let _e4009 = select(_e3899, _e4007, (_e4007 < _e3899));
 let _e4015 = global_4.member[bitcast<u32>(select(0i, _e4009, (_e4009 > 0i)))];
 if (_e3910 != (select(_e4015, 1f, (_e4006 == 16i)) <= 0f)) {
-phi_2179_ = _e3910;
+phi_2184_ = _e3910;
 } else {
 if (!(_e3910) && (_e3896 != _e4006)) {
-phi_2178_ = (_e3896 < _e4006);
+phi_2183_ = (_e3896 < _e4006);
 } else {
-phi_2178_ = _e3941;
+phi_2183_ = _e3941;
 }
-let _e4025 = phi_2178_;
-phi_2179_ = _e4025;
+let _e4025 = phi_2183_;
+phi_2184_ = _e4025;
 }
-let _e4027 = phi_2179_;
-phi_2187_ = type_21(_e3981.member, _e3981.member_1, _e3981.member_2, select(_e3840, _e684.member_3, (_e684.member_3 > _e3840)), _e3981.member_4);
-phi_2188_ = _e4027;
+let _e4027 = phi_2184_;
+phi_2192_ = type_26(_e3981.member, _e3981.member_1, _e3981.member_2, select(_e3840, _e684.member_3, (_e684.member_3 > _e3840)), _e3981.member_4);
+phi_2193_ = _e4027;
 } else {
 if _e3941 {
-let _e3955 = type_21(_e3918, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
-let _e3960 = type_21(_e3955.member, _e3917, _e3955.member_2, _e3955.member_3, _e3955.member_4);
-phi_2186_ = type_21(_e3960.member, _e3960.member_1, _e3960.member_2, _e3840, _e3960.member_4);
+let _e3955 = type_26(_e3918, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
+let _e3960 = type_26(_e3955.member, _e3917, _e3955.member_2, _e3955.member_3, _e3955.member_4);
+phi_2191_ = type_26(_e3960.member, _e3960.member_1, _e3960.member_2, _e3840, _e3960.member_4);
 } else {
-phi_2186_ = _e684;
+phi_2191_ = _e684;
 }
-let _e3967 = phi_2186_;
-phi_2187_ = _e3967;
-phi_2188_ = _e3941;
+let _e3967 = phi_2191_;
+phi_2192_ = _e3967;
+phi_2193_ = _e3941;
 }
-let _e4029 = phi_2187_;
-let _e4031 = phi_2188_;
+let _e4029 = phi_2192_;
+let _e4031 = phi_2193_;
 if _e4031 {
-let _e4049 = type_20(_e3652.member, _e3652.member_1, _e3652.member_2, _e3652.member_3, _e3652.member_4, _e3652.member_5, _e3652.member_6, _e3652.member_7, _e3652.member_8, _e3652.member_9, _e3652.member_10, _e3652.member_11, _e3652.member_12, _e3652.member_13, _e3652.member_14, _e3652.member_15, _e3653, _e3652.member_17);
-phi_2195_ = type_21(_e4029.member, _e4029.member_1, _e4029.member_2, _e4029.member_3, _e3880);
-phi_2196_ = type_20(_e4049.member, _e4049.member_1, _e4049.member_2, _e4049.member_3, _e4049.member_4, _e4049.member_5, _e4049.member_6, _e4049.member_7, _e4049.member_8, _e4049.member_9, _e4049.member_10, _e4049.member_11, _e4049.member_12, _e4049.member_13, _e4049.member_14, _e4049.member_15, _e4049.member_16, _e3840);
+let _e4049 = type_25(_e3652.member, _e3652.member_1, _e3652.member_2, _e3652.member_3, _e3652.member_4, _e3652.member_5, _e3652.member_6, _e3652.member_7, _e3652.member_8, _e3652.member_9, _e3652.member_10, _e3652.member_11, _e3652.member_12, _e3652.member_13, _e3652.member_14, _e3652.member_15, _e3653, _e3652.member_17);
+phi_2200_ = type_26(_e4029.member, _e4029.member_1, _e4029.member_2, _e4029.member_3, _e3880);
+phi_2201_ = type_25(_e4049.member, _e4049.member_1, _e4049.member_2, _e4049.member_3, _e4049.member_4, _e4049.member_5, _e4049.member_6, _e4049.member_7, _e4049.member_8, _e4049.member_9, _e4049.member_10, _e4049.member_11, _e4049.member_12, _e4049.member_13, _e4049.member_14, _e4049.member_15, _e4049.member_16, _e3840);
 } else {
-phi_2195_ = _e4029;
-phi_2196_ = _e3652;
+phi_2200_ = _e4029;
+phi_2201_ = _e3652;
 }
-let _e4074 = phi_2195_;
-let _e4076 = phi_2196_;
-phi_2197_ = _e4074;
-phi_2198_ = _e4076;
+let _e4074 = phi_2200_;
+let _e4076 = phi_2201_;
+phi_2202_ = _e4074;
+phi_2203_ = _e4076;
 } else {
-phi_2197_ = type_21();
-phi_2198_ = type_20();
+phi_2202_ = type_26();
+phi_2203_ = type_25();
 }
-let _e4078 = phi_2197_;
-let _e4080 = phi_2198_;
-phi_2200_ = _e4078;
-phi_2201_ = _e4080;
-phi_2202_ = select(true, false, _e3940);
+let _e4078 = phi_2202_;
+let _e4080 = phi_2203_;
+phi_2205_ = _e4078;
+phi_2206_ = _e4080;
+phi_2207_ = select(true, false, _e3940);
 }
-let _e4083 = phi_2200_;
-let _e4085 = phi_2201_;
-let _e4087 = phi_2202_;
-phi_2206_ = _e4083;
-phi_2207_ = _e4085;
-phi_2208_ = _e4087;
+let _e4083 = phi_2205_;
+let _e4085 = phi_2206_;
+let _e4087 = phi_2207_;
+phi_2211_ = _e4083;
+phi_2212_ = _e4085;
+phi_2213_ = _e4087;
 }
-let _e4089 = phi_2206_;
-let _e4091 = phi_2207_;
-let _e4093 = phi_2208_;
+let _e4089 = phi_2211_;
+let _e4091 = phi_2212_;
+let _e4093 = phi_2213_;
 if _e4093 {
-phi_2212_ = _e684;
-phi_2213_ = _e3652;
+phi_2217_ = _e684;
+phi_2218_ = _e3652;
 } else {
-phi_2212_ = _e4089;
-phi_2213_ = _e4091;
+phi_2217_ = _e4089;
+phi_2218_ = _e4091;
 }
-let _e4095 = phi_2212_;
-let _e4097 = phi_2213_;
-phi_6263_ = _e4095;
-phi_6264_ = _e4097;
-phi_6265_ = _e690;
+let _e4095 = phi_2217_;
+let _e4097 = phi_2218_;
+phi_6268_ = _e4095;
+phi_6269_ = _e4097;
+phi_6270_ = _e690;
 } else {
-phi_2215_ = 15i;
-phi_2218_ = 16i;
+phi_2220_ = 15i;
+phi_2223_ = 16i;
 loop {
-let _e699 = phi_2215_;
-let _e701 = phi_2218_;
+let _e699 = phi_2220_;
+let _e701 = phi_2223_;
 local = _e701;
 local_1 = _e701;
 local_3 = _e701;
@@ -783,46 +843,46 @@ local_11 = _e701;
 local_12 = _e701;
 let _e702 = (_e699 >= 0i);
 if _e702 {
-phi_2216_ = (_e699 - 1i);
-phi_2219_ = select(_e701, _e699, (((_e690 >> bitcast<u32>((_e699 & 31i))) & 1i) == 1i));
+phi_2221_ = (_e699 - 1i);
+phi_2224_ = select(_e701, _e699, (((_e690 >> bitcast<u32>((_e699 & 31i))) & 1i) == 1i));
 } else {
-phi_2216_ = i32();
-phi_2219_ = i32();
+phi_2221_ = i32();
+phi_2224_ = i32();
 }
-let _e711 = phi_2216_;
-let _e713 = phi_2219_;
+let _e711 = phi_2221_;
+let _e713 = phi_2224_;
 continue;
 continuing {
-phi_2215_ = _e711;
-phi_2218_ = _e713;
+phi_2220_ = _e711;
+phi_2223_ = _e713;
 break if !(_e702);
 }
 }
 let _e716 = (_e686.member_16 >= 0i);
 let _e725 = ((_e690 | (_e684.member & ~(_e684.member_1))) & ~((_e684.member_1 & ~(_e684.member))));
-phi_2247_ = 15i;
-phi_2250_ = 16i;
+phi_2252_ = 15i;
+phi_2255_ = 16i;
 loop {
-let _e727 = phi_2247_;
-let _e729 = phi_2250_;
+let _e727 = phi_2252_;
+let _e729 = phi_2255_;
 local_2 = _e729;
 local_4 = _e729;
 local_5 = _e729;
 local_8 = _e729;
 let _e730 = (_e727 >= 0i);
 if _e730 {
-phi_2248_ = (_e727 - 1i);
-phi_2251_ = select(_e729, _e727, (((_e725 >> bitcast<u32>((_e727 & 31i))) & 1i) == 1i));
+phi_2253_ = (_e727 - 1i);
+phi_2256_ = select(_e729, _e727, (((_e725 >> bitcast<u32>((_e727 & 31i))) & 1i) == 1i));
 } else {
-phi_2248_ = i32();
-phi_2251_ = i32();
+phi_2253_ = i32();
+phi_2256_ = i32();
 }
-let _e739 = phi_2248_;
-let _e741 = phi_2251_;
+let _e739 = phi_2253_;
+let _e741 = phi_2256_;
 continue;
 continuing {
-phi_2247_ = _e739;
-phi_2250_ = _e741;
+phi_2252_ = _e739;
+phi_2255_ = _e741;
 break if !(_e730);
 }
 }
@@ -843,15 +903,15 @@ let _e774 = select(_e772, _e770, (_e770 < _e772));
 let _e780 = global_4.member[bitcast<u32>(select(0i, _e774, (_e774 > 0i)))];
 let _e783 = (select(_e780, 1f, (_e769 == 16i)) <= 0f);
 if _e749 {
-phi_5380_ = type_21();
-phi_5381_ = type_20();
-phi_5382_ = i32();
-phi_5384_ = false;
+phi_5385_ = type_26();
+phi_5386_ = type_25();
+phi_5387_ = i32();
+phi_5389_ = false;
 } else {
 if _e783 {
-phi_5376_ = type_21();
-phi_5377_ = type_20();
-phi_5378_ = i32();
+phi_5381_ = type_26();
+phi_5382_ = type_25();
+phi_5383_ = i32();
 } else {
 let _e785 = local_1;
 let _e787 = local_2;
@@ -860,7 +920,7 @@ let _e2552 = (_e684.member_3 - _e684.member_2);
 let _e2554 = select(0f, _e2552, (_e2552 > 0f));
 let _e2556 = local_9;
 if (_e2556 != 16i) {
-let _e2577 = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, (_e686.member_9 + _e2554), _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+let _e2577 = type_25(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, (_e686.member_9 + _e2554), _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 let _e2579 = local_10;
 let _e2580 = (_e2579 * 4i);
 let _e2581 = (_e2580 + 1i);
@@ -902,13 +962,13 @@ let _e2722 = select(0i, select(select(i32(_e2715), i32(-2147483648), (_e2715 < -
 let _e2726 = (_e2722 - select(0i, 1i, (_e2715 < f32(_e2722))));
 let _e2727 = f32(_e2726);
 let _e2731 = ((_e2709 - (_e2727 * 0.6933594f)) - (_e2727 * -2.1219444e-4f));
-phi_2601_ = type_20(_e2577.member, _e2577.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e2617 * (1f + (_e2617 * (0.5f + (_e2617 * (0.16666667f + (_e2617 * (0.041666668f + (_e2617 * (0.008333334f + (_e2617 * (0.001388889f + (_e2617 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2612 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e2674 * (1f + (_e2674 * (0.5f + (_e2674 * (0.16666667f + (_e2674 * (0.041666668f + (_e2674 * (0.008333334f + (_e2674 * (0.001388889f + (_e2674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2669 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e2731 * (1f + (_e2731 * (0.5f + (_e2731 * (0.16666667f + (_e2731 * (0.041666668f + (_e2731 * (0.008333334f + (_e2731 * (0.001388889f + (_e2731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2726 + 127i)) << bitcast<u32>(23i)))))), _e2577.member_3, _e2577.member_4, _e2577.member_5, _e2577.member_6, _e2577.member_7, _e2577.member_8, _e2577.member_9, _e2577.member_10, _e2577.member_11, _e2577.member_12, _e2577.member_13, _e2577.member_14, _e2577.member_15, _e2577.member_16, _e2577.member_17);
+phi_2606_ = type_25(_e2577.member, _e2577.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e2617 * (1f + (_e2617 * (0.5f + (_e2617 * (0.16666667f + (_e2617 * (0.041666668f + (_e2617 * (0.008333334f + (_e2617 * (0.001388889f + (_e2617 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2612 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e2674 * (1f + (_e2674 * (0.5f + (_e2674 * (0.16666667f + (_e2674 * (0.041666668f + (_e2674 * (0.008333334f + (_e2674 * (0.001388889f + (_e2674 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2669 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e2731 * (1f + (_e2731 * (0.5f + (_e2731 * (0.16666667f + (_e2731 * (0.041666668f + (_e2731 * (0.008333334f + (_e2731 * (0.001388889f + (_e2731 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e2726 + 127i)) << bitcast<u32>(23i)))))), _e2577.member_3, _e2577.member_4, _e2577.member_5, _e2577.member_6, _e2577.member_7, _e2577.member_8, _e2577.member_9, _e2577.member_10, _e2577.member_11, _e2577.member_12, _e2577.member_13, _e2577.member_14, _e2577.member_15, _e2577.member_16, _e2577.member_17);
 } else {
-phi_2601_ = _e686;
+phi_2606_ = _e686;
 }
-let _e2781 = phi_2601_;
-let _e2788 = type_21(0i, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
-let _e2793 = type_21(_e2788.member, 0i, _e2788.member_2, _e2788.member_3, _e2788.member_4);
+let _e2781 = phi_2606_;
+let _e2788 = type_26(0i, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
+let _e2793 = type_26(_e2788.member, 0i, _e2788.member_2, _e2788.member_3, _e2788.member_4);
 let _e2805 = global_1.member.member_18.member.member;
 let _e2819 = ((((_e2805.member.member * _e2781.member.x) + (_e2805.member.member_1 * _e2781.member.y)) + (_e2805.member.member_2 * _e2781.member.z)) + _e2805.member_1);
 let _e2828 = -((((_e2805.member.member * _e2781.member_1.x) + (_e2805.member.member_1 * _e2781.member_1.y)) + (_e2805.member.member_2 * _e2781.member_1.z)));
@@ -922,11 +982,11 @@ let _e2861 = (_e2859 > 1e-9f);
 let _e2865 = ((_e2853 / select(1e-9f, _e2859, _e2861)) - 0.015625f);
 let _e2868 = select(1e30f, select(0f, _e2865, (_e2865 > 0f)), ((_e2853 > 0f) && _e2861));
 let _e2872 = (_e2868 < _e2837);
-let _e2893 = type_20(_e2781.member, _e2781.member_1, _e2781.member_2, _e2781.member_3, _e2781.member_4, _e2781.member_5, _e2781.member_6, _e2781.member_7, _e2781.member_8, _e2781.member_9, _e2781.member_10, _e2781.member_11, _e2781.member_12, _e2781.member_13, _e2781.member_14, 0i, _e2781.member_16, _e2781.member_17);
-let _e2911 = type_20(_e2893.member, _e2893.member_1, _e2893.member_2, _e2893.member_3, _e2893.member_4, _e2893.member_5, _e2893.member_6, _e2893.member_7, _e2893.member_8, _e2893.member_9, _e2893.member_10, _e2893.member_11, _e2893.member_12, _e2893.member_13, _e2893.member_14, _e2893.member_15, select(select(-2i, -3i, _e2872), -1i, ((_e2837 >= 1e30f) && (_e2868 >= 1e30f))), _e2893.member_17);
-phi_5373_ = type_21(_e2793.member, _e2793.member_1, select(1.1754944e-38f, _e684.member_3, (_e684.member_3 > 1.1754944e-38f)), _e2793.member_3, _e2793.member_4);
-phi_5374_ = type_20(_e2911.member, _e2911.member_1, _e2911.member_2, _e2911.member_3, _e2911.member_4, _e2911.member_5, _e2911.member_6, _e2911.member_7, _e2911.member_8, _e2911.member_9, _e2911.member_10, _e2911.member_11, _e2911.member_12, _e2911.member_13, _e2911.member_14, _e2911.member_15, _e2911.member_16, select(_e2837, _e2868, _e2872));
-phi_5375_ = _e725;
+let _e2893 = type_25(_e2781.member, _e2781.member_1, _e2781.member_2, _e2781.member_3, _e2781.member_4, _e2781.member_5, _e2781.member_6, _e2781.member_7, _e2781.member_8, _e2781.member_9, _e2781.member_10, _e2781.member_11, _e2781.member_12, _e2781.member_13, _e2781.member_14, 0i, _e2781.member_16, _e2781.member_17);
+let _e2911 = type_25(_e2893.member, _e2893.member_1, _e2893.member_2, _e2893.member_3, _e2893.member_4, _e2893.member_5, _e2893.member_6, _e2893.member_7, _e2893.member_8, _e2893.member_9, _e2893.member_10, _e2893.member_11, _e2893.member_12, _e2893.member_13, _e2893.member_14, _e2893.member_15, select(select(-2i, -3i, _e2872), -1i, ((_e2837 >= 1e30f) && (_e2868 >= 1e30f))), _e2893.member_17);
+phi_5378_ = type_26(_e2793.member, _e2793.member_1, select(1.1754944e-38f, _e684.member_3, (_e684.member_3 > 1.1754944e-38f)), _e2793.member_3, _e2793.member_4);
+phi_5379_ = type_25(_e2911.member, _e2911.member_1, _e2911.member_2, _e2911.member_3, _e2911.member_4, _e2911.member_5, _e2911.member_6, _e2911.member_7, _e2911.member_8, _e2911.member_9, _e2911.member_10, _e2911.member_11, _e2911.member_12, _e2911.member_13, _e2911.member_14, _e2911.member_15, _e2911.member_16, select(_e2837, _e2868, _e2872));
+phi_5380_ = _e725;
 } else {
 let _e790 = select(_e754, _e751, (_e751 < _e754));
 let _e796 = global_3.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
@@ -1077,7 +1137,7 @@ let _e1214 = (_e686.member_17 - _e684.member_2);
 let _e1216 = select(0f, _e1214, (_e1214 > 0f));
 let _e1218 = local_6;
 if (_e1218 != 16i) {
-let _e1239 = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, (_e686.member_9 + _e1216), _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+let _e1239 = type_25(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, (_e686.member_9 + _e1216), _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 let _e1240 = (_e1098 + 1i);
 let _e1242 = select(_e772, _e1240, (_e1240 < _e772));
 let _e1248 = global_4.member[bitcast<u32>(select(0i, _e1242, (_e1242 > 0i)))];
@@ -1117,17 +1177,17 @@ let _e1381 = select(0i, select(select(i32(_e1374), i32(-2147483648), (_e1374 < -
 let _e1385 = (_e1381 - select(0i, 1i, (_e1374 < f32(_e1381))));
 let _e1386 = f32(_e1385);
 let _e1390 = ((_e1368 - (_e1386 * 0.6933594f)) - (_e1386 * -2.1219444e-4f));
-phi_3883_ = type_20(_e1239.member, _e1239.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e1276 * (1f + (_e1276 * (0.5f + (_e1276 * (0.16666667f + (_e1276 * (0.041666668f + (_e1276 * (0.008333334f + (_e1276 * (0.001388889f + (_e1276 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1271 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e1333 * (1f + (_e1333 * (0.5f + (_e1333 * (0.16666667f + (_e1333 * (0.041666668f + (_e1333 * (0.008333334f + (_e1333 * (0.001388889f + (_e1333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1328 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e1390 * (1f + (_e1390 * (0.5f + (_e1390 * (0.16666667f + (_e1390 * (0.041666668f + (_e1390 * (0.008333334f + (_e1390 * (0.001388889f + (_e1390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1385 + 127i)) << bitcast<u32>(23i)))))), _e1239.member_3, _e1239.member_4, _e1239.member_5, _e1239.member_6, _e1239.member_7, _e1239.member_8, _e1239.member_9, _e1239.member_10, _e1239.member_11, _e1239.member_12, _e1239.member_13, _e1239.member_14, _e1239.member_15, _e1239.member_16, _e1239.member_17);
+phi_3888_ = type_25(_e1239.member, _e1239.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e1276 * (1f + (_e1276 * (0.5f + (_e1276 * (0.16666667f + (_e1276 * (0.041666668f + (_e1276 * (0.008333334f + (_e1276 * (0.001388889f + (_e1276 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1271 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e1333 * (1f + (_e1333 * (0.5f + (_e1333 * (0.16666667f + (_e1333 * (0.041666668f + (_e1333 * (0.008333334f + (_e1333 * (0.001388889f + (_e1333 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1328 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e1390 * (1f + (_e1390 * (0.5f + (_e1390 * (0.16666667f + (_e1390 * (0.041666668f + (_e1390 * (0.008333334f + (_e1390 * (0.001388889f + (_e1390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e1385 + 127i)) << bitcast<u32>(23i)))))), _e1239.member_3, _e1239.member_4, _e1239.member_5, _e1239.member_6, _e1239.member_7, _e1239.member_8, _e1239.member_9, _e1239.member_10, _e1239.member_11, _e1239.member_12, _e1239.member_13, _e1239.member_14, _e1239.member_15, _e1239.member_16, _e1239.member_17);
 } else {
-phi_3883_ = _e686;
+phi_3888_ = _e686;
 }
-let _e1440 = phi_3883_;
-let _e1476 = type_20(vec3<f32>((_e1440.member.x + (_e1440.member_1.x * _e1440.member_17)), (_e1440.member.y + (_e1440.member_1.y * _e1440.member_17)), (_e1440.member.z + (_e1440.member_1.z * _e1440.member_17))), _e1440.member_1, _e1440.member_2, _e1440.member_3, _e1440.member_4, _e1440.member_5, _e1440.member_6, _e1440.member_7, _e1440.member_8, _e1440.member_9, _e1440.member_10, _e1440.member_11, _e1440.member_12, _e1440.member_13, _e1440.member_14, _e1440.member_15, _e1440.member_16, _e1440.member_17);
-let _e1496 = type_20(_e1476.member, _e1476.member_1, _e1476.member_2, _e1476.member_3, _e1476.member_4, (_e1440.member_5 + _e1440.member_17), _e1476.member_6, _e1476.member_7, _e1476.member_8, _e1476.member_9, _e1476.member_10, _e1476.member_11, _e1476.member_12, _e1476.member_13, _e1476.member_14, _e1476.member_15, _e1476.member_16, _e1476.member_17);
+let _e1440 = phi_3888_;
+let _e1476 = type_25(vec3<f32>((_e1440.member.x + (_e1440.member_1.x * _e1440.member_17)), (_e1440.member.y + (_e1440.member_1.y * _e1440.member_17)), (_e1440.member.z + (_e1440.member_1.z * _e1440.member_17))), _e1440.member_1, _e1440.member_2, _e1440.member_3, _e1440.member_4, _e1440.member_5, _e1440.member_6, _e1440.member_7, _e1440.member_8, _e1440.member_9, _e1440.member_10, _e1440.member_11, _e1440.member_12, _e1440.member_13, _e1440.member_14, _e1440.member_15, _e1440.member_16, _e1440.member_17);
+let _e1496 = type_25(_e1476.member, _e1476.member_1, _e1476.member_2, _e1476.member_3, _e1476.member_4, (_e1440.member_5 + _e1440.member_17), _e1476.member_6, _e1476.member_7, _e1476.member_8, _e1476.member_9, _e1476.member_10, _e1476.member_11, _e1476.member_12, _e1476.member_13, _e1476.member_14, _e1476.member_15, _e1476.member_16, _e1476.member_17);
 let _e1498 = (_e1440.member_8 == 0f);
-let _e1519 = type_20(_e1496.member, _e1496.member_1, _e1496.member_2, _e1496.member_3, _e1496.member_4, _e1496.member_5, _e1496.member_6, _e1496.member_7, _e1496.member_8, _e1496.member_9, (_e1440.member_10 + select(0f, _e1440.member_17, _e1498)), _e1496.member_11, _e1496.member_12, _e1496.member_13, _e1496.member_14, _e1496.member_15, _e1496.member_16, _e1496.member_17);
-let _e1524 = type_21(0i, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
-let _e1529 = type_21(_e1524.member, 0i, _e1524.member_2, _e1524.member_3, _e1524.member_4);
+let _e1519 = type_25(_e1496.member, _e1496.member_1, _e1496.member_2, _e1496.member_3, _e1496.member_4, _e1496.member_5, _e1496.member_6, _e1496.member_7, _e1496.member_8, _e1496.member_9, (_e1440.member_10 + select(0f, _e1440.member_17, _e1498)), _e1496.member_11, _e1496.member_12, _e1496.member_13, _e1496.member_14, _e1496.member_15, _e1496.member_16, _e1496.member_17);
+let _e1524 = type_26(0i, _e684.member_1, _e684.member_2, _e684.member_3, _e684.member_4);
+let _e1529 = type_26(_e1524.member, 0i, _e1524.member_2, _e1524.member_3, _e1524.member_4);
 let _e1541 = select(1f, -1f, ((((_e1440.member_1.x * _e1208) + (_e1440.member_1.y * _e1209)) + (_e1440.member_1.z * _e1210)) > 0f));
 let _e1542 = (_e1208 * _e1541);
 let _e1543 = (_e1209 * _e1541);
@@ -1160,12 +1220,12 @@ let _e1627 = global_1.member.member_1;
 let _e1630 = select(0f, select(select((((0.5f * _e1608) * _e1608) * (1f + (_e1615 * _e1615))), 1f, (_e1600 <= 0f)), 0f, (_e1107 == _e1122)), ((_e1627 & 1u) != 0u));
 let _e1631 = (_e1498 && _e747);
 if _e1498 {
-let _e1649 = type_20(_e1519.member, _e1519.member_1, _e1519.member_2, vec3<f32>(_e1208, _e1209, _e1210), _e1519.member_4, _e1519.member_5, _e1519.member_6, _e1519.member_7, _e1519.member_8, _e1519.member_9, _e1519.member_10, _e1519.member_11, _e1519.member_12, _e1519.member_13, _e1519.member_14, _e1519.member_15, _e1519.member_16, _e1519.member_17);
-phi_4389_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3, _e1649.member_4, _e1649.member_5, _e1649.member_6, _e1649.member_7, _e1649.member_8, _e1649.member_9, _e1649.member_10, select(0f, _e1630, _e1631), _e1649.member_12, _e1649.member_13, _e1649.member_14, _e1649.member_15, _e1649.member_16, _e1649.member_17);
+let _e1649 = type_25(_e1519.member, _e1519.member_1, _e1519.member_2, vec3<f32>(_e1208, _e1209, _e1210), _e1519.member_4, _e1519.member_5, _e1519.member_6, _e1519.member_7, _e1519.member_8, _e1519.member_9, _e1519.member_10, _e1519.member_11, _e1519.member_12, _e1519.member_13, _e1519.member_14, _e1519.member_15, _e1519.member_16, _e1519.member_17);
+phi_4394_ = type_25(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3, _e1649.member_4, _e1649.member_5, _e1649.member_6, _e1649.member_7, _e1649.member_8, _e1649.member_9, _e1649.member_10, select(0f, _e1630, _e1631), _e1649.member_12, _e1649.member_13, _e1649.member_14, _e1649.member_15, _e1649.member_16, _e1649.member_17);
 } else {
-phi_4389_ = _e1519;
+phi_4394_ = _e1519;
 }
-let _e1670 = phi_4389_;
+let _e1670 = phi_4394_;
 let _e1674 = select(24f, _e1670.member_8, (_e1670.member_8 < 24f));
 let _e1684 = (_e1670.member_14 >> bitcast<u32>((select(0i, select(select(i32(_e1674), i32(-2147483648), (_e1674 < -2147483600f)), 2147483647i, (_e1674 > 2147483500f)), (_e1674 == _e1674)) & 31i)));
 let _e1686 = ((_e1684 & 1i) == 1i);
@@ -1225,30 +1285,30 @@ let _e1924 = ((_e1670.member_13.x + _e1670.member_13.y) + _e1670.member_13.z);
 if ((((_e1627 & 8u) != 0u) && (_e1912 < 24i)) && (((_e1902 + _e1903) + _e1904) > _e1924)) {
 if (_e1924 > 0f) {
 if (_e1670.member_14 == 0i) {
-phi_4787_ = 0i;
+phi_4792_ = 0i;
 } else {
-phi_4787_ = (_e1670.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1670.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
+phi_4792_ = (_e1670.member_14 - (1i << bitcast<u32>(((bitcast<i32>((bitcast<u32>(f32(_e1670.member_14)) >> bitcast<u32>(23i))) - 127i) & 31i))));
 }
-let _e1968 = phi_4787_;
-phi_4789_ = _e1968;
+let _e1968 = phi_4792_;
+phi_4794_ = _e1968;
 } else {
-phi_4789_ = _e1670.member_14;
+phi_4794_ = _e1670.member_14;
 }
-let _e1970 = phi_4789_;
-let _e1992 = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, _e1670.member_12, _e1670.member_13, (_e1970 | (1i << bitcast<u32>((_e1912 & 31i)))), _e1670.member_15, _e1670.member_16, _e1670.member_17);
-let _e2020 = type_20(_e1992.member, _e1992.member_1, _e1992.member_2, _e1992.member_3, _e1992.member_4, _e1992.member_5, _e1992.member_6, _e1992.member_7, _e1992.member_8, _e1992.member_9, _e1992.member_10, _e1992.member_11, vec3<f32>((_e1670.member_12.x + _e1670.member_13.x), (_e1670.member_12.y + _e1670.member_13.y), (_e1670.member_12.z + _e1670.member_13.z)), _e1992.member_13, _e1992.member_14, _e1992.member_15, _e1992.member_16, _e1992.member_17);
-phi_4817_ = type_20(_e2020.member, _e2020.member_1, _e2020.member_2, _e2020.member_3, _e2020.member_4, _e2020.member_5, _e2020.member_6, _e2020.member_7, _e2020.member_8, _e2020.member_9, _e2020.member_10, _e2020.member_11, _e2020.member_12, vec3<f32>(_e1902, _e1903, _e1904), _e2020.member_14, _e2020.member_15, _e2020.member_16, _e2020.member_17);
+let _e1970 = phi_4794_;
+let _e1992 = type_25(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, _e1670.member_12, _e1670.member_13, (_e1970 | (1i << bitcast<u32>((_e1912 & 31i)))), _e1670.member_15, _e1670.member_16, _e1670.member_17);
+let _e2020 = type_25(_e1992.member, _e1992.member_1, _e1992.member_2, _e1992.member_3, _e1992.member_4, _e1992.member_5, _e1992.member_6, _e1992.member_7, _e1992.member_8, _e1992.member_9, _e1992.member_10, _e1992.member_11, vec3<f32>((_e1670.member_12.x + _e1670.member_13.x), (_e1670.member_12.y + _e1670.member_13.y), (_e1670.member_12.z + _e1670.member_13.z)), _e1992.member_13, _e1992.member_14, _e1992.member_15, _e1992.member_16, _e1992.member_17);
+phi_4822_ = type_25(_e2020.member, _e2020.member_1, _e2020.member_2, _e2020.member_3, _e2020.member_4, _e2020.member_5, _e2020.member_6, _e2020.member_7, _e2020.member_8, _e2020.member_9, _e2020.member_10, _e2020.member_11, _e2020.member_12, vec3<f32>(_e1902, _e1903, _e1904), _e2020.member_14, _e2020.member_15, _e2020.member_16, _e2020.member_17);
 } else {
-phi_4817_ = type_20(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, vec3<f32>((_e1670.member_12.x + _e1902), (_e1670.member_12.y + _e1903), (_e1670.member_12.z + _e1904)), _e1670.member_13, _e1670.member_14, _e1670.member_15, _e1670.member_16, _e1670.member_17);
+phi_4822_ = type_25(_e1670.member, _e1670.member_1, _e1670.member_2, _e1670.member_3, _e1670.member_4, _e1670.member_5, _e1670.member_6, _e1670.member_7, _e1670.member_8, _e1670.member_9, _e1670.member_10, _e1670.member_11, vec3<f32>((_e1670.member_12.x + _e1902), (_e1670.member_12.y + _e1903), (_e1670.member_12.z + _e1904)), _e1670.member_13, _e1670.member_14, _e1670.member_15, _e1670.member_16, _e1670.member_17);
 }
-let _e2040 = phi_4817_;
-phi_4818_ = _e2040;
+let _e2040 = phi_4822_;
+phi_4823_ = _e2040;
 } else {
-phi_4818_ = _e1670;
+phi_4823_ = _e1670;
 }
-let _e2042 = phi_4818_;
+let _e2042 = phi_4823_;
 let _e2044 = (_e2042.member_8 + 1f);
-let _e2062 = type_20(_e2042.member, _e2042.member_1, _e2042.member_2, _e2042.member_3, _e2042.member_4, _e2042.member_5, _e2042.member_6, _e2042.member_7, _e2044, _e2042.member_9, _e2042.member_10, _e2042.member_11, _e2042.member_12, _e2042.member_13, _e2042.member_14, _e2042.member_15, _e2042.member_16, _e2042.member_17);
+let _e2062 = type_25(_e2042.member, _e2042.member_1, _e2042.member_2, _e2042.member_3, _e2042.member_4, _e2042.member_5, _e2042.member_6, _e2042.member_7, _e2044, _e2042.member_9, _e2042.member_10, _e2042.member_11, _e2042.member_12, _e2042.member_13, _e2042.member_14, _e2042.member_15, _e2042.member_16, _e2042.member_17);
 let _e2066 = !(_e1686);
 let _e2067 = (((_e119.member_2 == 0u) && (_e2044 >= 2f)) && _e2066);
 if (_e1557 && _e2067) {
@@ -1259,28 +1319,28 @@ let _e2136 = (_e2042.member_1.z - (_e1210 * _e2130));
 let _e2141 = (((_e2134 * _e2134) + (_e2135 * _e2135)) + (_e2136 * _e2136));
 let _e2144 = sqrt(select(0f, _e2141, (_e2141 > 0f)));
 let _e2147 = (1f / select(1e-20f, _e2144, (_e2144 > 1e-20f)));
-phi_4899_ = type_20(_e2062.member, vec3<f32>((_e2134 * _e2147), (_e2135 * _e2147), (_e2136 * _e2147)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4904_ = type_25(_e2062.member, vec3<f32>((_e2134 * _e2147), (_e2135 * _e2147), (_e2136 * _e2147)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 } else {
 if _e1686 {
 let _e2091 = (((_e1576 * _e1576) + (_e1577 * _e1577)) + (_e1578 * _e1578));
 let _e2094 = sqrt(select(0f, _e2091, (_e2091 > 0f)));
 let _e2097 = (1f / select(1e-20f, _e2094, (_e2094 > 1e-20f)));
-phi_4898_ = type_20(_e2062.member, vec3<f32>((_e1576 * _e2097), (_e1577 * _e2097), (_e1578 * _e2097)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4903_ = type_25(_e2062.member, vec3<f32>((_e1576 * _e2097), (_e1577 * _e2097), (_e1578 * _e2097)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 } else {
-phi_4898_ = type_20(_e2062.member, vec3<f32>((_e1579 * _e1592), (_e1580 * _e1592), (_e1581 * _e1592)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
+phi_4903_ = type_25(_e2062.member, vec3<f32>((_e1579 * _e1592), (_e1580 * _e1592), (_e1581 * _e1592)), _e2062.member_2, _e2062.member_3, _e2062.member_4, _e2062.member_5, _e2062.member_6, _e2062.member_7, _e2062.member_8, _e2062.member_9, _e2062.member_10, _e2062.member_11, _e2062.member_12, _e2062.member_13, _e2062.member_14, _e2062.member_15, _e2062.member_16, _e2062.member_17);
 }
-let _e2121 = phi_4898_;
-phi_4899_ = _e2121;
+let _e2121 = phi_4903_;
+phi_4904_ = _e2121;
 }
-let _e2171 = phi_4899_;
+let _e2171 = phi_4904_;
 if _e1557 {
-phi_4917_ = _e2171;
+phi_4922_ = _e2171;
 } else {
 let _e2173 = select((1f - _e1630), _e1630, _e1686);
-phi_4917_ = type_20(_e2171.member, _e2171.member_1, vec3<f32>((_e2171.member_2.x * _e2173), (_e2171.member_2.y * _e2173), (_e2171.member_2.z * _e2173)), _e2171.member_3, _e2171.member_4, _e2171.member_5, _e2171.member_6, _e2171.member_7, _e2171.member_8, _e2171.member_9, _e2171.member_10, _e2171.member_11, _e2171.member_12, _e2171.member_13, _e2171.member_14, _e2171.member_15, _e2171.member_16, _e2171.member_17);
+phi_4922_ = type_25(_e2171.member, _e2171.member_1, vec3<f32>((_e2171.member_2.x * _e2173), (_e2171.member_2.y * _e2173), (_e2171.member_2.z * _e2173)), _e2171.member_3, _e2171.member_4, _e2171.member_5, _e2171.member_6, _e2171.member_7, _e2171.member_8, _e2171.member_9, _e2171.member_10, _e2171.member_11, _e2171.member_12, _e2171.member_13, _e2171.member_14, _e2171.member_15, _e2171.member_16, _e2171.member_17);
 }
-let _e2203 = phi_4917_;
-let _e2221 = type_20(_e2203.member, _e2203.member_1, _e2203.member_2, _e2203.member_3, _e2203.member_4, 0f, _e2203.member_6, _e2203.member_7, _e2203.member_8, _e2203.member_9, _e2203.member_10, _e2203.member_11, _e2203.member_12, _e2203.member_13, _e2203.member_14, _e2203.member_15, _e2203.member_16, _e2203.member_17);
+let _e2203 = phi_4922_;
+let _e2221 = type_25(_e2203.member, _e2203.member_1, _e2203.member_2, _e2203.member_3, _e2203.member_4, 0f, _e2203.member_6, _e2203.member_7, _e2203.member_8, _e2203.member_9, _e2203.member_10, _e2203.member_11, _e2203.member_12, _e2203.member_13, _e2203.member_14, _e2203.member_15, _e2203.member_16, _e2203.member_17);
 let _e2228 = global_1.member.member_18.member.member;
 let _e2242 = ((((_e2228.member.member * _e2203.member.x) + (_e2228.member.member_1 * _e2203.member.y)) + (_e2228.member.member_2 * _e2203.member.z)) + _e2228.member_1);
 let _e2251 = -((((_e2228.member.member * _e2203.member_1.x) + (_e2228.member.member_1 * _e2203.member_1.y)) + (_e2228.member.member_2 * _e2203.member_1.z)));
@@ -1296,105 +1356,105 @@ let _e2291 = select(1e30f, select(0f, _e2288, (_e2288 > 0f)), ((_e2276 > 0f) && 
 let _e2295 = (_e2291 < _e2260);
 let _e2297 = select(select(-2i, -3i, _e2295), -1i, ((_e2260 >= 1e30f) && (_e2291 >= 1e30f)));
 let _e2298 = select(_e2260, _e2291, _e2295);
-let _e2316 = type_20(_e2221.member, _e2221.member_1, _e2221.member_2, _e2221.member_3, _e2221.member_4, _e2221.member_5, _e2221.member_6, _e2221.member_7, _e2221.member_8, _e2221.member_9, _e2221.member_10, _e2221.member_11, _e2221.member_12, _e2221.member_13, _e2221.member_14, 0i, _e2221.member_16, _e2221.member_17);
-let _e2334 = type_20(_e2316.member, _e2316.member_1, _e2316.member_2, _e2316.member_3, _e2316.member_4, _e2316.member_5, _e2316.member_6, _e2316.member_7, _e2316.member_8, _e2316.member_9, _e2316.member_10, _e2316.member_11, _e2316.member_12, _e2316.member_13, _e2316.member_14, _e2316.member_15, _e2297, _e2316.member_17);
-let _e2352 = type_20(_e2334.member, _e2334.member_1, _e2334.member_2, _e2334.member_3, _e2334.member_4, _e2334.member_5, _e2334.member_6, _e2334.member_7, _e2334.member_8, _e2334.member_9, _e2334.member_10, _e2334.member_11, _e2334.member_12, _e2334.member_13, _e2334.member_14, _e2334.member_15, _e2334.member_16, _e2298);
+let _e2316 = type_25(_e2221.member, _e2221.member_1, _e2221.member_2, _e2221.member_3, _e2221.member_4, _e2221.member_5, _e2221.member_6, _e2221.member_7, _e2221.member_8, _e2221.member_9, _e2221.member_10, _e2221.member_11, _e2221.member_12, _e2221.member_13, _e2221.member_14, 0i, _e2221.member_16, _e2221.member_17);
+let _e2334 = type_25(_e2316.member, _e2316.member_1, _e2316.member_2, _e2316.member_3, _e2316.member_4, _e2316.member_5, _e2316.member_6, _e2316.member_7, _e2316.member_8, _e2316.member_9, _e2316.member_10, _e2316.member_11, _e2316.member_12, _e2316.member_13, _e2316.member_14, _e2316.member_15, _e2297, _e2316.member_17);
+let _e2352 = type_25(_e2334.member, _e2334.member_1, _e2334.member_2, _e2334.member_3, _e2334.member_4, _e2334.member_5, _e2334.member_6, _e2334.member_7, _e2334.member_8, _e2334.member_9, _e2334.member_10, _e2334.member_11, _e2334.member_12, _e2334.member_13, _e2334.member_14, _e2334.member_15, _e2334.member_16, _e2298);
 let _e2353 = (_e1557 || _e1686);
 let _e2355 = local_7;
 let _e2357 = local_8;
 let _e2360 = ((_e1627 & 2u) != 0u);
 if (_e2067 && !(_e2360)) {
 if (_e2297 == -1i) {
-phi_5344_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 1f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5349_ = type_25(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 1f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
-let _e2446 = type_20(vec3<f32>((_e2203.member.x + (_e2203.member_1.x * _e2298)), (_e2203.member.y + (_e2203.member_1.y * _e2298)), (_e2203.member.z + (_e2203.member_1.z * _e2298))), _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, _e2352.member_6, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
-let _e2465 = type_20(_e2446.member, _e2446.member_1, _e2446.member_2, _e2446.member_3, _e2446.member_4, (0f + _e2298), _e2446.member_6, _e2446.member_7, _e2446.member_8, _e2446.member_9, _e2446.member_10, _e2446.member_11, _e2446.member_12, _e2446.member_13, _e2446.member_14, _e2446.member_15, _e2446.member_16, _e2446.member_17);
-let _e2484 = type_20(_e2465.member, _e2465.member_1, _e2465.member_2, _e2465.member_3, _e2465.member_4, _e2465.member_5, _e2465.member_6, _e2465.member_7, _e2465.member_8, _e2465.member_9, _e2465.member_10, _e2465.member_11, _e2465.member_12, _e2465.member_13, _e2465.member_14, _e2465.member_15, _e2465.member_16, (_e2298 - _e2298));
-let _e2507 = type_20(_e2484.member, _e2484.member_1, _e2484.member_2, _e2484.member_3, _e2484.member_4, _e2484.member_5, _e2484.member_6, _e2484.member_7, _e2484.member_8, _e2484.member_9, (_e2203.member_10 + select(0f, _e2298, (_e2203.member_8 == 0f))), _e2484.member_11, _e2484.member_12, _e2484.member_13, _e2484.member_14, _e2484.member_15, _e2484.member_16, _e2484.member_17);
-phi_5344_ = type_20(_e2507.member, _e2507.member_1, _e2507.member_2, _e2507.member_3, _e2507.member_4, _e2507.member_5, 3f, _e2507.member_7, _e2507.member_8, _e2507.member_9, _e2507.member_10, _e2507.member_11, _e2507.member_12, _e2507.member_13, _e2507.member_14, _e2507.member_15, _e2507.member_16, _e2507.member_17);
+let _e2446 = type_25(vec3<f32>((_e2203.member.x + (_e2203.member_1.x * _e2298)), (_e2203.member.y + (_e2203.member_1.y * _e2298)), (_e2203.member.z + (_e2203.member_1.z * _e2298))), _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, _e2352.member_6, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+let _e2465 = type_25(_e2446.member, _e2446.member_1, _e2446.member_2, _e2446.member_3, _e2446.member_4, (0f + _e2298), _e2446.member_6, _e2446.member_7, _e2446.member_8, _e2446.member_9, _e2446.member_10, _e2446.member_11, _e2446.member_12, _e2446.member_13, _e2446.member_14, _e2446.member_15, _e2446.member_16, _e2446.member_17);
+let _e2484 = type_25(_e2465.member, _e2465.member_1, _e2465.member_2, _e2465.member_3, _e2465.member_4, _e2465.member_5, _e2465.member_6, _e2465.member_7, _e2465.member_8, _e2465.member_9, _e2465.member_10, _e2465.member_11, _e2465.member_12, _e2465.member_13, _e2465.member_14, _e2465.member_15, _e2465.member_16, (_e2298 - _e2298));
+let _e2507 = type_25(_e2484.member, _e2484.member_1, _e2484.member_2, _e2484.member_3, _e2484.member_4, _e2484.member_5, _e2484.member_6, _e2484.member_7, _e2484.member_8, _e2484.member_9, (_e2203.member_10 + select(0f, _e2298, (_e2203.member_8 == 0f))), _e2484.member_11, _e2484.member_12, _e2484.member_13, _e2484.member_14, _e2484.member_15, _e2484.member_16, _e2484.member_17);
+phi_5349_ = type_25(_e2507.member, _e2507.member_1, _e2507.member_2, _e2507.member_3, _e2507.member_4, _e2507.member_5, 3f, _e2507.member_7, _e2507.member_8, _e2507.member_9, _e2507.member_10, _e2507.member_11, _e2507.member_12, _e2507.member_13, _e2507.member_14, _e2507.member_15, _e2507.member_16, _e2507.member_17);
 }
-let _e2545 = phi_5344_;
-phi_5367_ = _e2545;
+let _e2545 = phi_5349_;
+phi_5372_ = _e2545;
 } else {
 let _e2368 = global_1.member.member_5;
 if (((!(_e2067) && _e2066) && (_e2203.member_8 >= f32(bitcast<i32>(_e2368)))) && (select(_e2357, _e2355, _e2353) != 16i)) {
-phi_5366_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 2f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5371_ = type_25(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 2f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
 if _e2360 {
-phi_5365_ = type_20(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 4f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
+phi_5370_ = type_25(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3, _e2352.member_4, _e2352.member_5, 4f, _e2352.member_7, _e2352.member_8, _e2352.member_9, _e2352.member_10, _e2352.member_11, _e2352.member_12, _e2352.member_13, _e2352.member_14, _e2352.member_15, _e2352.member_16, _e2352.member_17);
 } else {
-phi_5365_ = _e2352;
+phi_5370_ = _e2352;
 }
-let _e2394 = phi_5365_;
-phi_5366_ = _e2394;
+let _e2394 = phi_5370_;
+phi_5371_ = _e2394;
 }
-let _e2414 = phi_5366_;
-phi_5367_ = _e2414;
+let _e2414 = phi_5371_;
+phi_5372_ = _e2414;
 }
-let _e2547 = phi_5367_;
-phi_5373_ = type_21(_e1529.member, _e1529.member_1, 0f, _e1529.member_3, _e1529.member_4);
-phi_5374_ = _e2547;
-phi_5375_ = select(_e690, _e725, !(_e2353));
+let _e2547 = phi_5372_;
+phi_5378_ = type_26(_e1529.member, _e1529.member_1, 0f, _e1529.member_3, _e1529.member_4);
+phi_5379_ = _e2547;
+phi_5380_ = select(_e690, _e725, !(_e2353));
 }
-let _e2931 = phi_5373_;
-let _e2933 = phi_5374_;
-let _e2935 = phi_5375_;
-phi_5376_ = _e2931;
-phi_5377_ = _e2933;
-phi_5378_ = _e2935;
+let _e2931 = phi_5378_;
+let _e2933 = phi_5379_;
+let _e2935 = phi_5380_;
+phi_5381_ = _e2931;
+phi_5382_ = _e2933;
+phi_5383_ = _e2935;
 }
-let _e2937 = phi_5376_;
-let _e2939 = phi_5377_;
-let _e2941 = phi_5378_;
-phi_5380_ = _e2937;
-phi_5381_ = _e2939;
-phi_5382_ = _e2941;
-phi_5384_ = select(true, false, _e783);
+let _e2937 = phi_5381_;
+let _e2939 = phi_5382_;
+let _e2941 = phi_5383_;
+phi_5385_ = _e2937;
+phi_5386_ = _e2939;
+phi_5387_ = _e2941;
+phi_5389_ = select(true, false, _e783);
 }
-let _e2944 = phi_5380_;
-let _e2946 = phi_5381_;
-let _e2948 = phi_5382_;
-let _e2950 = phi_5384_;
-phi_5395_ = _e2944;
-phi_5396_ = _e2946;
-phi_5397_ = _e2948;
-phi_5399_ = select(_e783, false, _e749);
-phi_5400_ = _e2950;
+let _e2944 = phi_5385_;
+let _e2946 = phi_5386_;
+let _e2948 = phi_5387_;
+let _e2950 = phi_5389_;
+phi_5400_ = _e2944;
+phi_5401_ = _e2946;
+phi_5402_ = _e2948;
+phi_5404_ = select(_e783, false, _e749);
+phi_5405_ = _e2950;
 } else {
-phi_5395_ = type_21();
-phi_5396_ = type_20();
-phi_5397_ = i32();
-phi_5399_ = select(true, false, _e749);
-phi_5400_ = false;
+phi_5400_ = type_26();
+phi_5401_ = type_25();
+phi_5402_ = i32();
+phi_5404_ = select(true, false, _e749);
+phi_5405_ = false;
 }
-let _e2953 = phi_5395_;
-let _e2955 = phi_5396_;
-let _e2957 = phi_5397_;
-let _e2959 = phi_5399_;
-let _e2961 = phi_5400_;
+let _e2953 = phi_5400_;
+let _e2955 = phi_5401_;
+let _e2957 = phi_5402_;
+let _e2959 = phi_5404_;
+let _e2961 = phi_5405_;
 if _e749 {
 if _e744 {
-phi_5697_ = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, 1f, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+phi_5702_ = type_25(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, 1f, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 } else {
-let _e2997 = type_20(vec3<f32>((_e686.member.x + (_e686.member_1.x * _e686.member_17)), (_e686.member.y + (_e686.member_1.y * _e686.member_17)), (_e686.member.z + (_e686.member_1.z * _e686.member_17))), _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
-let _e3017 = type_20(_e2997.member, _e2997.member_1, _e2997.member_2, _e2997.member_3, _e2997.member_4, (_e686.member_5 + _e686.member_17), _e2997.member_6, _e2997.member_7, _e2997.member_8, _e2997.member_9, _e2997.member_10, _e2997.member_11, _e2997.member_12, _e2997.member_13, _e2997.member_14, _e2997.member_15, _e2997.member_16, _e2997.member_17);
-let _e3036 = type_20(_e3017.member, _e3017.member_1, _e3017.member_2, _e3017.member_3, _e3017.member_4, _e3017.member_5, _e3017.member_6, _e3017.member_7, _e3017.member_8, _e3017.member_9, _e3017.member_10, _e3017.member_11, _e3017.member_12, _e3017.member_13, _e3017.member_14, _e3017.member_15, _e3017.member_16, (_e686.member_17 - _e686.member_17));
-let _e3059 = type_20(_e3036.member, _e3036.member_1, _e3036.member_2, _e3036.member_3, _e3036.member_4, _e3036.member_5, _e3036.member_6, _e3036.member_7, _e3036.member_8, _e3036.member_9, (_e686.member_10 + select(0f, _e686.member_17, (_e686.member_8 == 0f))), _e3036.member_11, _e3036.member_12, _e3036.member_13, _e3036.member_14, _e3036.member_15, _e3036.member_16, _e3036.member_17);
-phi_5697_ = type_20(_e3059.member, _e3059.member_1, _e3059.member_2, _e3059.member_3, _e3059.member_4, _e3059.member_5, 3f, _e3059.member_7, _e3059.member_8, _e3059.member_9, _e3059.member_10, _e3059.member_11, _e3059.member_12, _e3059.member_13, _e3059.member_14, _e3059.member_15, _e3059.member_16, _e3059.member_17);
+let _e2997 = type_25(vec3<f32>((_e686.member.x + (_e686.member_1.x * _e686.member_17)), (_e686.member.y + (_e686.member_1.y * _e686.member_17)), (_e686.member.z + (_e686.member_1.z * _e686.member_17))), _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, _e686.member_9, _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+let _e3017 = type_25(_e2997.member, _e2997.member_1, _e2997.member_2, _e2997.member_3, _e2997.member_4, (_e686.member_5 + _e686.member_17), _e2997.member_6, _e2997.member_7, _e2997.member_8, _e2997.member_9, _e2997.member_10, _e2997.member_11, _e2997.member_12, _e2997.member_13, _e2997.member_14, _e2997.member_15, _e2997.member_16, _e2997.member_17);
+let _e3036 = type_25(_e3017.member, _e3017.member_1, _e3017.member_2, _e3017.member_3, _e3017.member_4, _e3017.member_5, _e3017.member_6, _e3017.member_7, _e3017.member_8, _e3017.member_9, _e3017.member_10, _e3017.member_11, _e3017.member_12, _e3017.member_13, _e3017.member_14, _e3017.member_15, _e3017.member_16, (_e686.member_17 - _e686.member_17));
+let _e3059 = type_25(_e3036.member, _e3036.member_1, _e3036.member_2, _e3036.member_3, _e3036.member_4, _e3036.member_5, _e3036.member_6, _e3036.member_7, _e3036.member_8, _e3036.member_9, (_e686.member_10 + select(0f, _e686.member_17, (_e686.member_8 == 0f))), _e3036.member_11, _e3036.member_12, _e3036.member_13, _e3036.member_14, _e3036.member_15, _e3036.member_16, _e3036.member_17);
+phi_5702_ = type_25(_e3059.member, _e3059.member_1, _e3059.member_2, _e3059.member_3, _e3059.member_4, _e3059.member_5, 3f, _e3059.member_7, _e3059.member_8, _e3059.member_9, _e3059.member_10, _e3059.member_11, _e3059.member_12, _e3059.member_13, _e3059.member_14, _e3059.member_15, _e3059.member_16, _e3059.member_17);
 }
-let _e3097 = phi_5697_;
-phi_5698_ = _e3097;
+let _e3097 = phi_5702_;
+phi_5703_ = _e3097;
 } else {
-phi_5698_ = type_20();
+phi_5703_ = type_25();
 }
-let _e3099 = phi_5698_;
+let _e3099 = phi_5703_;
 let _e3100 = select(_e2959, false, _e749);
 if _e3100 {
 let _e3104 = (_e686.member_17 - _e684.member_2);
 let _e3106 = select(0f, _e3104, (_e3104 > 0f));
 let _e3108 = local_11;
 if (_e3108 != 16i) {
-let _e3129 = type_20(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, (_e686.member_9 + _e3106), _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
+let _e3129 = type_25(_e686.member, _e686.member_1, _e686.member_2, _e686.member_3, _e686.member_4, _e686.member_5, _e686.member_6, _e686.member_7, _e686.member_8, (_e686.member_9 + _e3106), _e686.member_10, _e686.member_11, _e686.member_12, _e686.member_13, _e686.member_14, _e686.member_15, _e686.member_16, _e686.member_17);
 let _e3131 = local_12;
 let _e3132 = (_e3131 * 4i);
 let _e3133 = (_e3132 + 1i);
@@ -1437,71 +1497,71 @@ let _e3276 = select(0i, select(select(i32(_e3269), i32(-2147483648), (_e3269 < -
 let _e3280 = (_e3276 - select(0i, 1i, (_e3269 < f32(_e3276))));
 let _e3281 = f32(_e3280);
 let _e3285 = ((_e3263 - (_e3281 * 0.6933594f)) - (_e3281 * -2.1219444e-4f));
-phi_5965_ = type_20(_e3129.member, _e3129.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e3171 * (1f + (_e3171 * (0.5f + (_e3171 * (0.16666667f + (_e3171 * (0.041666668f + (_e3171 * (0.008333334f + (_e3171 * (0.001388889f + (_e3171 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3166 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e3228 * (1f + (_e3228 * (0.5f + (_e3228 * (0.16666667f + (_e3228 * (0.041666668f + (_e3228 * (0.008333334f + (_e3228 * (0.001388889f + (_e3228 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3223 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e3285 * (1f + (_e3285 * (0.5f + (_e3285 * (0.16666667f + (_e3285 * (0.041666668f + (_e3285 * (0.008333334f + (_e3285 * (0.001388889f + (_e3285 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3280 + 127i)) << bitcast<u32>(23i)))))), _e3129.member_3, _e3129.member_4, _e3129.member_5, _e3129.member_6, _e3129.member_7, _e3129.member_8, _e3129.member_9, _e3129.member_10, _e3129.member_11, _e3129.member_12, _e3129.member_13, _e3129.member_14, _e3129.member_15, _e3129.member_16, _e3129.member_17);
+phi_5970_ = type_25(_e3129.member, _e3129.member_1, vec3<f32>((_e686.member_2.x * ((1f + (_e3171 * (1f + (_e3171 * (0.5f + (_e3171 * (0.16666667f + (_e3171 * (0.041666668f + (_e3171 * (0.008333334f + (_e3171 * (0.001388889f + (_e3171 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3166 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.y * ((1f + (_e3228 * (1f + (_e3228 * (0.5f + (_e3228 * (0.16666667f + (_e3228 * (0.041666668f + (_e3228 * (0.008333334f + (_e3228 * (0.001388889f + (_e3228 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3223 + 127i)) << bitcast<u32>(23i))))), (_e686.member_2.z * ((1f + (_e3285 * (1f + (_e3285 * (0.5f + (_e3285 * (0.16666667f + (_e3285 * (0.041666668f + (_e3285 * (0.008333334f + (_e3285 * (0.001388889f + (_e3285 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e3280 + 127i)) << bitcast<u32>(23i)))))), _e3129.member_3, _e3129.member_4, _e3129.member_5, _e3129.member_6, _e3129.member_7, _e3129.member_8, _e3129.member_9, _e3129.member_10, _e3129.member_11, _e3129.member_12, _e3129.member_13, _e3129.member_14, _e3129.member_15, _e3129.member_16, _e3129.member_17);
 } else {
-phi_5965_ = _e686;
+phi_5970_ = _e686;
 }
-let _e3335 = phi_5965_;
-let _e3371 = type_20(vec3<f32>((_e3335.member.x + (_e3335.member_1.x * _e3335.member_17)), (_e3335.member.y + (_e3335.member_1.y * _e3335.member_17)), (_e3335.member.z + (_e3335.member_1.z * _e3335.member_17))), _e3335.member_1, _e3335.member_2, _e3335.member_3, _e3335.member_4, _e3335.member_5, _e3335.member_6, _e3335.member_7, _e3335.member_8, _e3335.member_9, _e3335.member_10, _e3335.member_11, _e3335.member_12, _e3335.member_13, _e3335.member_14, _e3335.member_15, _e3335.member_16, _e3335.member_17);
-let _e3391 = type_20(_e3371.member, _e3371.member_1, _e3371.member_2, _e3371.member_3, _e3371.member_4, (_e3335.member_5 + _e3335.member_17), _e3371.member_6, _e3371.member_7, _e3371.member_8, _e3371.member_9, _e3371.member_10, _e3371.member_11, _e3371.member_12, _e3371.member_13, _e3371.member_14, _e3371.member_15, _e3371.member_16, _e3371.member_17);
-let _e3410 = type_20(_e3391.member, _e3391.member_1, _e3391.member_2, _e3391.member_3, _e3391.member_4, _e3391.member_5, _e3391.member_6, _e3391.member_7, _e3391.member_8, _e3391.member_9, _e3391.member_10, _e3391.member_11, _e3391.member_12, _e3391.member_13, _e3391.member_14, _e3391.member_15, _e3391.member_16, (_e3335.member_17 - _e3335.member_17));
-let _e3433 = type_20(_e3410.member, _e3410.member_1, _e3410.member_2, _e3410.member_3, _e3410.member_4, _e3410.member_5, _e3410.member_6, _e3410.member_7, _e3410.member_8, _e3410.member_9, (_e3335.member_10 + select(0f, _e3335.member_17, (_e3335.member_8 == 0f))), _e3410.member_11, _e3410.member_12, _e3410.member_13, _e3410.member_14, _e3410.member_15, _e3410.member_16, _e3410.member_17);
-phi_6253_ = _e684;
-phi_6254_ = type_20(_e3433.member, _e3433.member_1, _e3433.member_2, _e3433.member_3, _e3433.member_4, _e3433.member_5, 3f, _e3433.member_7, _e3433.member_8, _e3433.member_9, _e3433.member_10, _e3433.member_11, _e3433.member_12, _e3433.member_13, _e3433.member_14, _e3433.member_15, _e3433.member_16, _e3433.member_17);
+let _e3335 = phi_5970_;
+let _e3371 = type_25(vec3<f32>((_e3335.member.x + (_e3335.member_1.x * _e3335.member_17)), (_e3335.member.y + (_e3335.member_1.y * _e3335.member_17)), (_e3335.member.z + (_e3335.member_1.z * _e3335.member_17))), _e3335.member_1, _e3335.member_2, _e3335.member_3, _e3335.member_4, _e3335.member_5, _e3335.member_6, _e3335.member_7, _e3335.member_8, _e3335.member_9, _e3335.member_10, _e3335.member_11, _e3335.member_12, _e3335.member_13, _e3335.member_14, _e3335.member_15, _e3335.member_16, _e3335.member_17);
+let _e3391 = type_25(_e3371.member, _e3371.member_1, _e3371.member_2, _e3371.member_3, _e3371.member_4, (_e3335.member_5 + _e3335.member_17), _e3371.member_6, _e3371.member_7, _e3371.member_8, _e3371.member_9, _e3371.member_10, _e3371.member_11, _e3371.member_12, _e3371.member_13, _e3371.member_14, _e3371.member_15, _e3371.member_16, _e3371.member_17);
+let _e3410 = type_25(_e3391.member, _e3391.member_1, _e3391.member_2, _e3391.member_3, _e3391.member_4, _e3391.member_5, _e3391.member_6, _e3391.member_7, _e3391.member_8, _e3391.member_9, _e3391.member_10, _e3391.member_11, _e3391.member_12, _e3391.member_13, _e3391.member_14, _e3391.member_15, _e3391.member_16, (_e3335.member_17 - _e3335.member_17));
+let _e3433 = type_25(_e3410.member, _e3410.member_1, _e3410.member_2, _e3410.member_3, _e3410.member_4, _e3410.member_5, _e3410.member_6, _e3410.member_7, _e3410.member_8, _e3410.member_9, (_e3335.member_10 + select(0f, _e3335.member_17, (_e3335.member_8 == 0f))), _e3410.member_11, _e3410.member_12, _e3410.member_13, _e3410.member_14, _e3410.member_15, _e3410.member_16, _e3410.member_17);
+phi_6258_ = _e684;
+phi_6259_ = type_25(_e3433.member, _e3433.member_1, _e3433.member_2, _e3433.member_3, _e3433.member_4, _e3433.member_5, 3f, _e3433.member_7, _e3433.member_8, _e3433.member_9, _e3433.member_10, _e3433.member_11, _e3433.member_12, _e3433.member_13, _e3433.member_14, _e3433.member_15, _e3433.member_16, _e3433.member_17);
 } else {
-phi_6253_ = _e2953;
-phi_6254_ = _e2955;
+phi_6258_ = _e2953;
+phi_6259_ = _e2955;
 }
-let _e3453 = phi_6253_;
-let _e3455 = phi_6254_;
+let _e3453 = phi_6258_;
+let _e3455 = phi_6259_;
 let _e3457 = select(select(_e2961, false, _e749), true, _e3100);
 if _e3457 {
-phi_6260_ = _e3453;
-phi_6261_ = _e3455;
+phi_6265_ = _e3453;
+phi_6266_ = _e3455;
 } else {
-phi_6260_ = _e684;
-phi_6261_ = _e3099;
+phi_6265_ = _e684;
+phi_6266_ = _e3099;
 }
-let _e3459 = phi_6260_;
-let _e3461 = phi_6261_;
-phi_6263_ = _e3459;
-phi_6264_ = _e3461;
-phi_6265_ = select(_e690, select(_e2957, _e690, _e3100), _e3457);
+let _e3459 = phi_6265_;
+let _e3461 = phi_6266_;
+phi_6268_ = _e3459;
+phi_6269_ = _e3461;
+phi_6270_ = select(_e690, select(_e2957, _e690, _e3100), _e3457);
 }
-let _e4099 = phi_6263_;
-let _e4101 = phi_6264_;
-let _e4103 = phi_6265_;
-phi_1095_ = _e4099;
-phi_1098_ = _e4101;
-phi_1100_ = (_e688 + 1i);
-phi_1102_ = _e4103;
+let _e4099 = phi_6268_;
+let _e4101 = phi_6269_;
+let _e4103 = phi_6270_;
+phi_1100_ = _e4099;
+phi_1103_ = _e4101;
+phi_1105_ = (_e688 + 1i);
+phi_1107_ = _e4103;
 } else {
-phi_1095_ = type_21();
-phi_1098_ = type_20();
-phi_1100_ = i32();
-phi_1102_ = i32();
+phi_1100_ = type_26();
+phi_1103_ = type_25();
+phi_1105_ = i32();
+phi_1107_ = i32();
 }
-let _e4105 = phi_1095_;
-let _e4107 = phi_1098_;
-let _e4109 = phi_1100_;
-let _e4111 = phi_1102_;
+let _e4105 = phi_1100_;
+let _e4107 = phi_1103_;
+let _e4109 = phi_1105_;
+let _e4111 = phi_1107_;
 continue;
 continuing {
-phi_1094_ = _e4105;
-phi_1097_ = _e4107;
-phi_1099_ = _e4109;
-phi_1101_ = _e4111;
+phi_1099_ = _e4105;
+phi_1102_ = _e4107;
+phi_1104_ = _e4109;
+phi_1106_ = _e4111;
 break if !(_e694);
 }
 }
 let _e4114 = local_13;
 if (_e4114 == 0i) {
-phi_6271_ = 16i;
+phi_6276_ = 16i;
 } else {
 let _e4117 = local_14;
-phi_6271_ = -(_e4117);
+phi_6276_ = -(_e4117);
 }
-let _e4120 = phi_6271_;
+let _e4120 = phi_6276_;
 let _e4122 = local_15;
 let _e4126 = local_16;
 let _e4130 = local_17;
