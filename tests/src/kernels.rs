@@ -97,7 +97,11 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("combustion/mixture streamed forward", "combustion/mixture", &[FORWARD])?.streamed(),
         case("combustion/mixture forward", "combustion/mixture", &[FORWARD])?,
         case("phantom isosurfaces", "phantom", &[ISOSURFACES])?,
-        case("phantom isosurfaces forward", "phantom", &[FORWARD, ISOSURFACES, "ground={}", "shading.diffuse=gradient"])?,
+        case(
+            "phantom isosurfaces forward",
+            "phantom",
+            &[FORWARD, ISOSURFACES, "ground={}", "shading.diffuse=gradient"],
+        )?,
         case("phantom isosurfaces straight forward", "phantom", &[FORWARD, ISOSURFACES, "sweep.refraction=false"])?,
         case("phantom cropped", "phantom", &[CROP])?,
         case("glass cropped forward", "glass", &[FORWARD, CROP])?,

@@ -107,6 +107,31 @@ fn flags_set_the_keys_of_the_transfer_function() {
 }
 
 #[test]
+fn isosurfaces_stand_alone_or_beside_a_preset() {
+    let folder = Folder::new();
+    folder.write("ct.nrrd", ct());
+    let scene = |more: &[&str]| folder.succeed(&[&["scene", "ct.nrrd", "--isosurface", "300"], more].concat());
+    let alone = scene(&["--isosurface", "-300:red:0.25", "--set", "isosurface.0.opacity=0.5"]);
+    assert_eq!(alone.matches("[[isosurface]]").count(), 2, "{alone}");
+    for words in ["value = -300.0", "color = [1.0, 0.0, 0.0]", "opacity = 0.25", "opacity = 0.5"] {
+        assert!(alone.contains(words), "{words}: {alone}");
+    }
+    assert!(!alone.contains("opacity = ["), "{alone}");
+    assert!(scene(&["--preset", "plain"]).contains("opacity = ["));
+    folder.write("a.toml", alone);
+    assert_eq!(folder.succeed(&["scene", "a.toml", "--isosurface", "7"]).matches("[[isosurface]]").count(), 3);
+    let small = ["--size", "16x16", "--backend", "cpu"];
+    folder.succeed(&[&["render", "a.toml", "-o", "a.png"], &small[..]].concat());
+    let refused = |surface: &str, words: &str| {
+        folder.refuse(&["render", "ct.nrrd", "-o", "b.png", "--isosurface", surface], 2, &[words]);
+    };
+    refused("300:reed", "`reed` is no colour");
+    refused("300:red:2", "VALUE[:COLOR[:OPACITY]]");
+    let nearest = ["render", "a.toml", "-o", "b.png", "--set", "volume.interpolation=nearest"];
+    folder.refuse(&nearest, 2, &["isosurface", "between voxels there is no value"]);
+}
+
+#[test]
 fn presets_of_hounsfield_units_say_what_they_take_for_granted() {
     let folder = Folder::new();
     folder.write("ct.nrrd", ct());

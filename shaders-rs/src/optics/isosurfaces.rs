@@ -49,13 +49,21 @@ impl Sheet {
     }
 }
 
+/// 1 if isosurface `surface` has a value up to a normalised scalar, else 0.
+#[inline(always)]
+fn is_reached(tables: &[u32], scalar: f32, surface: u32) -> i32 {
+    (scalar >= read_float(tables, (ISOSURFACES + surface) as i32)) as i32
+}
+
 /// The number of isosurfaces with values up to a normalised scalar.
 #[inline(always)]
 fn number(tables: &[u32], scalar: f32) -> i32 {
     const { assert!(MOST_ISOSURFACES == 8, "unrolled for eight") };
-    let is_above = |surface: u32| (scalar >= read_float(tables, (ISOSURFACES + surface) as i32)) as i32;
-    ((is_above(0) + is_above(1)) + (is_above(2) + is_above(3)))
-        + ((is_above(4) + is_above(5)) + (is_above(6) + is_above(7)))
+    // No closure: rust-gpu leaves its captured references in memory here.
+    ((is_reached(tables, scalar, 0) + is_reached(tables, scalar, 1))
+        + (is_reached(tables, scalar, 2) + is_reached(tables, scalar, 3)))
+        + ((is_reached(tables, scalar, 4) + is_reached(tables, scalar, 5))
+            + (is_reached(tables, scalar, 6) + is_reached(tables, scalar, 7)))
 }
 
 /// The first word of the sheet between two scalars.

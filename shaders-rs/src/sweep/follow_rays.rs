@@ -170,7 +170,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let through = 1.0 - ray.reflectance;
             let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance * through };
             let by_gradient = u.flags & flag::SHADED_BY_GRADIENT != 0;
-            let facing = if by_gradient { cosine(&u.grid, next.shown_gradient, light.direction, v, share) } else { 1.0 };
+            let facing =
+                if by_gradient { cosine(&u.grid, next.shown_gradient, light.direction, v, share) } else { 1.0 };
             let after = over(before, &layer, radiance * facing + xyz(u.ambient), none);
             let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
             let seen_at = lerp(0.5, sheet_in.at, share);

@@ -192,9 +192,10 @@ lines! {
     MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.0044, 0.0085;
     MATTER_STEEP: MATTER, "the same, opacity rises over four tenths of a voxel", RADIANCE_RMS, 0.0097, 0.015;
     MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.088, 0.12;
-    ISOSURFACE_OPACITY: ISOSURFACE, "the same slopes, planes every 1, ½, ¼ voxels", "the opacity", 1.2e-7, 2.4e-7, elsewhere 1e-6;
-    ISOSURFACE_DEPTH: SEEN_ISOSURFACE, ISOSURFACE_SLOPES, "the depth, voxels", 0.01, 0.0156;
-    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, 0.5 and 14 voxels apart", "the radiance, relative", 0.01, 0.02;
+    ISOSURFACE_OPACITY: ISOSURFACE, "the same slopes, planes every 1, ½, ¼ voxels", "the opacity", 9.5e-9, 1.9e-8, elsewhere 1e-6;
+    ISOSURFACE_DEPTH: SEEN_ISOSURFACE, ISOSURFACE_SLOPES, "the depth, voxels", 1.9e-5, 3.7e-5, elsewhere 1e-3;
+    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, seven voxels apart", "the radiance, relative", 8.6e-6, 1.7e-5, elsewhere 1e-4;
+    ISOSURFACE_LIGHT_NEAR: LIT_ISOSURFACES, "the same, half a voxel apart", "the radiance, relative", 0.139, 0.2;
     ISOSURFACE_SHADOW: ISOSURFACE_SHADOWS, "48³ voxels, planes every voxel and every half", "the irradiance", 1e-6, 2e-6, elsewhere 1e-5;
     ISOSURFACE_SHADING_MEAN: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, "the mean radiance, relative", 0.01, 0.02;
     ISOSURFACE_SHADING: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, RADIANCE_RMS, 0.01, 0.02;
