@@ -194,12 +194,12 @@ lines! {
     MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.088, 0.12;
     ISOSURFACE_OPACITY: ISOSURFACE, "the same slopes, planes every 1, ½, ¼ voxels", "the opacity", 9.5e-9, 1.9e-8, elsewhere 1e-6;
     ISOSURFACE_DEPTH: SEEN_ISOSURFACE, ISOSURFACE_SLOPES, "the depth, voxels", 1.9e-5, 3.7e-5, elsewhere 1e-3;
-    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, seven voxels apart", "the radiance, relative", 8.6e-6, 1.7e-5, elsewhere 1e-4;
+    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, seven voxels apart", "the radiance, relative", 5e-6, 1e-5, elsewhere 1e-4;
     ISOSURFACE_LIGHT_NEAR: LIT_ISOSURFACES, "the same, half a voxel apart", "the radiance, relative", 0.139, 0.2;
     ISOSURFACE_SHADOW: ISOSURFACE_SHADOWS, "48³ voxels, planes every voxel and every half", "the irradiance", 1e-6, 2e-6, elsewhere 1e-5;
-    ISOSURFACE_SHADING_MEAN: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, "the mean radiance, relative", 0.01, 0.02;
-    ISOSURFACE_SHADING: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, RADIANCE_RMS, 0.01, 0.02;
-    ISOSURFACE_GRADIENT: LAMBERT, "48³ voxels, an isosurface, inside 0.9 radii", "the radiance", 0.01, 0.02;
+    ISOSURFACE_SHADING_MEAN: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, "the mean radiance, relative", 4.9e-6, 9.8e-6, elsewhere 1e-4;
+    ISOSURFACE_SHADING: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, RADIANCE_RMS, 0.0013, 0.0026;
+    ISOSURFACE_GRADIENT: LAMBERT, "48³ voxels, an isosurface, inside 0.9 radii", "the radiance", 0.024, 0.048;
     MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.038, 0.06;
     SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.0372, 0.05;
     SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.022, 0.03;

@@ -28,7 +28,10 @@ pub(super) fn left_out(scene: &Scene, of_file: Option<&Scene>, settings: &[Strin
     keys.dedup();
     let are = if keys.len() == 1 { "is" } else { "are" };
     let told = || {
-        format!("a projection (`shading.blend_mode`) has no light, receivers and isosurfaces: {} {are} left out", keys.join(", "))
+        format!(
+            "a projection (`shading.blend_mode`) has no light, receivers and isosurfaces: {} {are} left out",
+            keys.join(", ")
+        )
     };
     (!keys.is_empty()).then(told)
 }

@@ -75,9 +75,7 @@ fn at(points: &[ColorPoint], value: f32) -> Rgb {
     match (after.checked_sub(1).and_then(|before| points.get(before)), points.get(after)) {
         (Some(before), Some(next)) => {
             let share = (value - before.value) / (next.value - before.value);
-            std::array::from_fn(|channel| {
-                before.color[channel] + (next.color[channel] - before.color[channel]) * share
-            })
+            std::array::from_fn(|channel| before.color[channel] + (next.color[channel] - before.color[channel]) * share)
         }
         (before, next) => before.or(next).map_or([1.0; 3], |point| point.color),
     }
@@ -102,9 +100,13 @@ mod tests {
     #[test]
     fn colours_are_those_of_the_function_unless_given() {
         let mut scene = Scene::default();
-        scene.transfer.color = [(0.0, [0.0; 3]), (10.0, [1.0; 3])].map(|(value, color)| ColorPoint { value, color }).into();
+        scene.transfer.color =
+            [(0.0, [0.0; 3]), (10.0, [1.0; 3])].map(|(value, color)| ColorPoint { value, color }).into();
         let surface = |value| Surface { value, color: None, opacity: 1.0 };
-        add(&[surface(-1.0), surface(2.5), surface(30.0), Surface { color: Some([0.5; 3]), ..surface(5.0) }], &mut scene);
+        add(
+            &[surface(-1.0), surface(2.5), surface(30.0), Surface { color: Some([0.5; 3]), ..surface(5.0) }],
+            &mut scene,
+        );
         let found: Vec<f32> = scene.isosurface.iter().map(|surface| surface.color[1]).collect();
         assert_eq!(found, [0.0, 0.25, 1.0, 0.5]);
     }

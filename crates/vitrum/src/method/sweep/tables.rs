@@ -108,7 +108,10 @@ impl Tables {
         let surfaces = isosurfaces::support(&scene.isosurface);
         let indices = indices(transfer, scene.sweep.refraction, scene.surroundings.ior);
         let (shown, bending) = if volumes.ior.is_some() {
-            (Window::new(layers.support().into_iter().chain(surfaces), volumes.shown), Window::new(indices.support(), volumes.bending()))
+            (
+                Window::new(layers.support().into_iter().chain(surfaces), volumes.shown),
+                Window::new(indices.support(), volumes.bending()),
+            )
         } else {
             let all = layers.support().into_iter().chain(surfaces).chain(indices.support());
             let both = Window::new(all, volumes.shown);

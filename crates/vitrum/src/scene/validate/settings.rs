@@ -2,8 +2,8 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Beams, BlendMode, Camera, Capabilities, Crop, Film, Intensity, Interpolation, Light, LightKind, Material, MethodName, Scene,
-    Sweep, Tracer, TransferFunction, Transport, Vector,
+    Beams, BlendMode, Camera, Capabilities, Crop, Film, Intensity, Interpolation, Light, LightKind, Material,
+    MethodName, Scene, Sweep, Tracer, TransferFunction, Transport, Vector,
 };
 use super::{figure, medium, refuse};
 

@@ -23,7 +23,8 @@ pub(in crate::method::sweep) struct Isosurfaces(Vec<Surface>);
 /// The ends of the values at which a scene has isosurfaces; `None` where it has none.
 pub(in crate::method::sweep) fn support(isosurfaces: &[Isosurface]) -> Option<[f64; 2]> {
     let seen = isosurfaces.iter().filter(|surface| surface.opacity > 0.0);
-    seen.map(|surface| [f64::from(surface.value); 2]).reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
+    seen.map(|surface| [f64::from(surface.value); 2])
+        .reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
 }
 
 impl Isosurfaces {
@@ -95,11 +96,8 @@ mod tests {
         let volume = Volume::new("test", [2, 1, 1], [1.0; 3], Voxels::from(vec![0.0_f32, 10.0])).expect("a volume");
         let window = Window { origin: 0.0, width: 10.0 };
         let surface = |value, color, opacity| Isosurface { value, color, opacity };
-        let list = [
-            surface(5.0, [0.0, 0.0, 1.0], 1.0),
-            surface(7.0, [1.0; 3], 0.0),
-            surface(2.5, [1.0, 0.0, 0.0], 0.5),
-        ];
+        let list =
+            [surface(5.0, [0.0, 0.0, 1.0], 1.0), surface(7.0, [1.0; 3], 0.0), surface(2.5, [1.0, 0.0, 0.0], 0.5)];
         assert_eq!(support(&list), Some([2.5, 5.0]));
         let surfaces = Isosurfaces::new(&list, window, &volume);
         let near = |a: f32, b: f32| (a - b).abs() < 1e-6;
