@@ -132,6 +132,22 @@ fn isosurfaces_stand_alone_or_beside_a_preset() {
 }
 
 #[test]
+fn a_mask_hides_what_has_none_of_its_labels() {
+    let folder = Folder::new();
+    folder.write("ct.nrrd", ct());
+    let labels: Vec<u8> = (0..512).map(|index| if index % 8 < 4 { 3 } else { 0 }).collect();
+    folder.write("parts.nrrd", nrrd("8 8 8", "", &labels));
+    let mask = ["--mask", "parts.nrrd", "--mask-labels"];
+    let scene = folder.succeed(&[&["scene", "ct.nrrd"], &mask[..], &["3"]].concat());
+    assert!(scene.contains("parts.nrrd") && scene.contains("labels = [3.0]"), "{scene}");
+    let render = ["render", "ct.nrrd", "--preset", "plain", "--size", "16x16", "--backend", "cpu", "-o"];
+    folder.succeed(&[&render[..], &["a.png"], &mask, &["3"]].concat());
+    let outcome = folder.vitrum(&[&render[..], &["b.png"], &mask, &["9"]].concat());
+    assert!(outcome.code != Some(0) && outcome.stderr.contains("values are 0, 3"), "{}", outcome.stderr);
+    folder.refuse(&["render", "ct.nrrd", "-o", "b.png", "--mask-labels", "3"], 2, &["--mask"]);
+}
+
+#[test]
 fn presets_of_hounsfield_units_say_what_they_take_for_granted() {
     let folder = Folder::new();
     folder.write("ct.nrrd", ct());
