@@ -6,10 +6,10 @@ use crate::size::Size;
 use crate::transfer::TransferArguments;
 use crate::volume::VolumeArguments;
 use clap::Args;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vitrum::composition::{Composed, Composition, Opened, Quality, Side, open};
 use vitrum::io::{Mesh, OpenOptions, Up, Volume};
-use vitrum::scene::MeshSource;
+use vitrum::scene::{Hides, Mask, MeshSource, VolumeSource};
 use vitrum::suggest::nearest;
 use vitrum::{builtin, load_mesh, load_meshes, load_volume, preset};
 
@@ -37,6 +37,14 @@ pub struct SceneArguments {
     pub view: Option<Side>,
     #[command(flatten)]
     pub transfer: TransferArguments,
+
+    /// Hide what has no label in a segmentation of the volume, a volume file on the same grid or another
+    #[arg(long, value_name = "FILE")]
+    pub mask: Option<PathBuf>,
+
+    /// Labels of the parts of --mask that are shown, such as 1,3; else all but 0
+    #[arg(long, value_name = "LABEL,LABEL", value_delimiter = ',', requires = "mask")]
+    pub mask_labels: Vec<f32>,
 
     /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset and --medium
     #[arg(long, value_name = "KEY=VALUE", add = complete::settings())]
@@ -86,6 +94,15 @@ fn medium_help() -> String {
 }
 
 impl SceneArguments {
+    /// The mask. Its path does not start at the scene file's folder.
+    fn mask(&self) -> Result<Option<Mask>, Failure> {
+        let Some(file) = &self.mask else { return Ok(None) };
+        let file = std::path::absolute(file).map_err(|error| {
+            Failure::new(Status::WrongUse, format!("{}: {error}", file.display()), "name a volume file")
+        })?;
+        Ok(Some(Mask { file, labels: self.mask_labels.clone(), hides: Hides::Outside }))
+    }
+
     /// Reads the scene and its files, and applies the flags.
     pub fn compose(&self) -> Result<Composed, Failure> {
         let composition = Composition {
@@ -96,7 +113,7 @@ impl SceneArguments {
             transfer: self.transfer.transfer.clone(),
             adjustments: self.transfer.adjustments(),
             size: self.size.map(|Size { width, height }| [width, height]),
-            source: self.volume.source(),
+            source: VolumeSource { mask: self.mask()?, ..self.volume.source() },
             side: self.view,
             settings: self.set.clone(),
             max_bytes: self.volume.limit(),

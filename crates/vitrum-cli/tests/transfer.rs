@@ -107,6 +107,47 @@ fn flags_set_the_keys_of_the_transfer_function() {
 }
 
 #[test]
+fn isosurfaces_stand_alone_or_beside_a_preset() {
+    let folder = Folder::new();
+    folder.write("ct.nrrd", ct());
+    let scene = |more: &[&str]| folder.succeed(&[&["scene", "ct.nrrd", "--isosurface", "300"], more].concat());
+    let alone = scene(&["--isosurface", "-300:red:0.25", "--set", "isosurface.0.opacity=0.5"]);
+    assert_eq!(alone.matches("[[isosurface]]").count(), 2, "{alone}");
+    for words in ["value = -300.0", "color = [1.0, 0.0, 0.0]", "opacity = 0.25", "opacity = 0.5"] {
+        assert!(alone.contains(words), "{words}: {alone}");
+    }
+    assert!(!alone.contains("opacity = ["), "{alone}");
+    assert!(scene(&["--preset", "plain"]).contains("opacity = ["));
+    folder.write("a.toml", alone);
+    assert_eq!(folder.succeed(&["scene", "a.toml", "--isosurface", "7"]).matches("[[isosurface]]").count(), 3);
+    let small = ["--size", "16x16", "--backend", "cpu"];
+    folder.succeed(&[&["render", "a.toml", "-o", "a.png"], &small[..]].concat());
+    let refused = |surface: &str, words: &str| {
+        folder.refuse(&["render", "ct.nrrd", "-o", "b.png", "--isosurface", surface], 2, &[words]);
+    };
+    refused("300:reed", "`reed` is no colour");
+    refused("300:red:2", "VALUE[:COLOR[:OPACITY]]");
+    let nearest = ["render", "a.toml", "-o", "b.png", "--set", "volume.interpolation=nearest"];
+    folder.refuse(&nearest, 2, &["isosurface", "between voxels there is no value"]);
+}
+
+#[test]
+fn a_mask_hides_what_has_none_of_its_labels() {
+    let folder = Folder::new();
+    folder.write("ct.nrrd", ct());
+    let labels: Vec<u8> = (0..512).map(|index| if index % 8 < 4 { 3 } else { 0 }).collect();
+    folder.write("parts.nrrd", nrrd("8 8 8", "", &labels));
+    let mask = ["--mask", "parts.nrrd", "--mask-labels"];
+    let scene = folder.succeed(&[&["scene", "ct.nrrd"], &mask[..], &["3"]].concat());
+    assert!(scene.contains("parts.nrrd") && scene.contains("labels = [3.0]"), "{scene}");
+    let render = ["render", "ct.nrrd", "--preset", "plain", "--size", "16x16", "--backend", "cpu", "-o"];
+    folder.succeed(&[&render[..], &["a.png"], &mask, &["3"]].concat());
+    let outcome = folder.vitrum(&[&render[..], &["b.png"], &mask, &["9"]].concat());
+    assert!(outcome.code != Some(0) && outcome.stderr.contains("values are 0, 3"), "{}", outcome.stderr);
+    folder.refuse(&["render", "ct.nrrd", "-o", "b.png", "--mask-labels", "3"], 2, &["--mask"]);
+}
+
+#[test]
 fn presets_of_hounsfield_units_say_what_they_take_for_granted() {
     let folder = Folder::new();
     folder.write("ct.nrrd", ct());

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::meshes::load_meshes;
-use crate::scene::{EnvironmentKind, Scene, VolumeSource};
+use crate::scene::{EnvironmentKind, Mask, Scene, VolumeSource};
 use crate::subject::Subject;
 use crate::unrenderable::Unrenderable;
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,11 +21,13 @@ pub struct Assets {
     pub textures: BTreeMap<PathBuf, Arc<Picture>>,
     /// The volume of the medium's density, if the scene has one (`medium.density`).
     pub density: Option<Arc<Volume>>,
+    /// The segmentation by which parts of the volume are hidden, if the scene has one (`volume.mask`).
+    pub mask: Option<Arc<Volume>>,
 }
 
 impl<S: Into<Subject>> From<S> for Assets {
     fn from(subject: S) -> Self {
-        Self { subject: subject.into(), environment: None, textures: BTreeMap::new(), density: None }
+        Self { subject: subject.into(), environment: None, textures: BTreeMap::new(), density: None, mask: None }
     }
 }
 
@@ -57,7 +59,7 @@ impl Assets {
         let density = density.map(|source| load_volume(source, base, max_bytes)).transpose()?.map(Arc::new);
         if !scene.mesh.is_empty() {
             let subject = load_meshes(&scene.mesh, base, max_bytes)?.into();
-            return Ok(Self { subject, environment, textures, density });
+            return Ok(Self { subject, environment, textures, density, mask: None });
         }
         let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
         let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
@@ -65,7 +67,9 @@ impl Assets {
             None => Subject::Volume(shown),
             Some(ior) => Subject::Volumes { shown, ior: Arc::new(ior) },
         };
-        Ok(Self { subject, environment, textures, density })
+        let mask = scene.volume.mask.as_ref().map(|mask| load_mask(mask, &scene.volume, base, max_bytes));
+        let mask = mask.transpose()?.map(Arc::new);
+        Ok(Self { subject, environment, textures, density, mask })
     }
 }
 
@@ -168,6 +172,13 @@ pub fn load_volume(source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -
         (Some(_), Some(_)) => Err(Unrenderable::TwoSources { kind: "volume" }.into()),
         (None, None) => Err(Unrenderable::NoSource { kind: "volume" }.into()),
     }
+}
+
+/// Reads the mask of the volume that `source` names, turned and scaled as that is.
+fn load_mask(mask: &Mask, source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -> Result<Volume, Error> {
+    let VolumeSource { spacing, up, .. } = source.clone();
+    let of_mask = VolumeSource { file: Some(mask.file.clone()), spacing, up, ..VolumeSource::default() };
+    load_volume(&of_mask, base, max_bytes)
 }
 
 fn options(source: &VolumeSource, max_bytes: Option<u64>) -> Result<OpenOptions, Error> {

@@ -249,6 +249,31 @@ pub enum Unrenderable {
         /// The path by which the scene names the picture.
         path: PathBuf,
     },
+    /// The mask of a volume is not among the assets.
+    #[error("volume.mask is given, and the assets have no volume for it")]
+    NoMask,
+    /// A mask lies beside the volume.
+    #[error("volume.mask: {name}: the mask and the volume do not overlap")]
+    MaskBeside {
+        /// The mask.
+        name: String,
+    },
+    /// A mask hides the whole volume.
+    #[error("volume.mask: {name}: nothing of the volume is left; the mask's values are {labels}")]
+    MaskHidesAll {
+        /// The mask.
+        name: String,
+        /// Its values.
+        labels: String,
+    },
+    /// There is no value that a hidden voxel could have.
+    #[error(
+        "volume.mask: {name}: the transfer function shows something at every value, so that no voxel can be hidden"
+    )]
+    NothingInvisible {
+        /// The volume.
+        name: String,
+    },
     /// The volume of a medium's density is not among the assets.
     #[error("medium.density is given, and the assets have no volume for it")]
     NoDensity,
@@ -360,6 +385,15 @@ impl Unrenderable {
             }
             Self::NoTexture { .. } => {
                 "add the picture to `Assets::textures`, or read the assets by `Assets::load`".to_owned()
+            }
+            Self::NoMask => "set `Assets::mask`, or read the assets by `Assets::load`".to_owned(),
+            Self::MaskBeside { .. } => {
+                "name the segmentation of this volume, or one whose file says where in the world it lies".to_owned()
+            }
+            Self::MaskHidesAll { .. } => "name some of them in `volume.mask.labels`".to_owned(),
+            Self::NothingInvisible { .. } => {
+                "give `transfer.opacity` a point of opacity 0, with a white `filter` and the index of the surroundings"
+                    .to_owned()
             }
             Self::NoDensity => "set `Assets::density`, or read the assets by `Assets::load`".to_owned(),
             Self::ObliqueDensity { .. } => {

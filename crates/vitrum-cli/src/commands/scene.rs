@@ -90,11 +90,13 @@ fn make_absolute(scene: &mut Scene, base: &Path) {
         .chain(mesh)
         .chain(&mut scene.environment.file)
         .chain(textures);
-    for file in files.filter(|file| file.as_path() != Path::new(STANDARD_INPUT)) {
+    let absolute = |file: &mut PathBuf| {
         if let Ok(absolute) = std::path::absolute(base.join(&*file)) {
             *file = absolute;
         }
-    }
+    };
+    files.filter(|file| file.as_path() != Path::new(STANDARD_INPUT)).for_each(absolute);
+    scene.volume.mask.iter_mut().for_each(|mask| absolute(&mut mask.file));
 }
 
 fn same_folder(one: &Path, other: &Path) -> bool {

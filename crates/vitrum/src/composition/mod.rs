@@ -14,7 +14,7 @@ pub use sides::Side;
 use crate::error::Error;
 use crate::preset::Adjustments;
 use crate::scene::{Framing, Problem, Scene, SceneError, Vector, VolumeSource};
-use crate::{Assets, preset};
+use crate::{Assets, preset, shown};
 use std::path::{Path, PathBuf};
 use vitrum_io::transfer::read_transfer;
 use vitrum_io::{Mesh, Volume};
@@ -42,7 +42,7 @@ pub struct Composition {
     pub adjustments: Adjustments,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
-    /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
+    /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time`, `up` and `mask` replace the scene's where they are set, `up`
     /// of meshes as well. The other fields are not used.
     pub source: VolumeSource,
     /// The side of the patient from which the camera looks, where the volume's file says how the patient lies.
@@ -102,7 +102,8 @@ impl Composition {
         let file = self.transfer.as_deref().map(read_transfer).transpose().map_err(Error::from)?;
         let is_chosen = bare && file.is_none() && self.preset.is_none();
         let mut before = scene.clone();
-        self.change(&mut before, is_chosen || self.preset.is_some() || file.is_some())?;
+        let adds = !self.adjustments.isosurfaces.is_empty();
+        self.change(&mut before, is_chosen || self.preset.is_some() || file.is_some() || adds)?;
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
         let mut notes = Vec::new();
         let surfaces_alone = is_chosen && self.adjustments.are_isosurfaces();
@@ -135,6 +136,7 @@ impl Composition {
         let of_file = (preset.is_none() && is_scene_file(Path::new(&self.input))).then(|| scene.clone());
         self.change(&mut scene, false)?;
         notes.extend(projection::left_out(&scene, of_file.as_ref(), &self.settings));
+        notes.extend(shown::told_of_mask(&scene, &assets));
         Ok(Composed { scene, base, assets, notes })
     }
 

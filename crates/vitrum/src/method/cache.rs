@@ -43,7 +43,7 @@ impl Cache {
         if !self.shown.is_of(&changes) {
             self.entries.clear();
         }
-        let subject = self.shown.get(changes.clone(), || changes.made(&assets.subject))?;
+        let subject = self.shown.get(changes.clone(), || changes.made(assets))?;
         Ok(subject.clone().map(|subject| Assets { subject, ..assets.clone() }))
     }
 

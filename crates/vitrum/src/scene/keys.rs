@@ -83,6 +83,9 @@ fn range(outer: &Value, shape: &'static Value) -> String {
     if is("array") {
         let items = resolved(&shape["items"]);
         let count = if shape["minItems"] == 2 { "two" } else { "three" };
+        if shape["minItems"].is_null() && items["type"] == "number" {
+            return "a list of numbers".to_owned();
+        }
         return match bounds(items) {
             _ if items.get("properties").is_some() => "a list of points".to_owned(),
             None => format!("{count} numbers"),

@@ -1,5 +1,6 @@
 //! The source of a volume's voxels.
 
+use super::Mask;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -50,6 +51,9 @@ pub struct VolumeSource {
     /// Interpolation between voxels.
     #[serde(skip_serializing_if = "Interpolation::is_linear")]
     pub interpolation: Interpolation,
+    /// A segmentation by which parts of the volume are hidden.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mask: Option<Mask>,
 }
 
 /// The interpolation of values between voxels.
@@ -70,10 +74,11 @@ impl Interpolation {
 }
 
 impl VolumeSource {
-    /// Takes over from `keys` how a file is read: `raw`, `spacing`, `array`, `time` or `seconds`, and `up` where they are set there.
+    /// Takes over from `keys` how a file is read: `raw`, `spacing`, `array`, `time` or `seconds`, `up` and `mask` where they are set there.
     pub fn read_as(&mut self, keys: Self) {
-        let Self { raw, spacing, array, time, seconds, up, file: _, builtin: _, resolution: _, interpolation: _ } =
+        let Self { raw, spacing, array, time, seconds, up, mask, file: _, builtin: _, resolution: _, interpolation: _ } =
             keys;
+        self.mask = mask.or(self.mask.take());
         self.raw = raw.or(self.raw.take());
         self.spacing = spacing.or(self.spacing);
         self.array = array.or(self.array.take());

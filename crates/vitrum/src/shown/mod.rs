@@ -1,5 +1,7 @@
-//! The volumes that a picture is made of, where they are not those that were read: without noise, without specks.
+//! The volumes that a picture is made of, where they are not those that were read: without noise, without specks, without what a mask hides.
 
+mod clear;
+mod mask;
 pub(crate) mod runs;
 mod slab;
 mod smoothing;
@@ -11,6 +13,9 @@ use crate::error::Error;
 use crate::preset::{self, Landmarks, Noise};
 use crate::scene::Scene;
 use crate::subject::{Subject, Volumes};
+use crate::unrenderable::Unrenderable;
+use clear::clear_ranges;
+use mask::{Hidden, masked};
 use smoothing::smoothed;
 use specks::without_specks;
 use std::sync::Arc;
@@ -26,6 +31,8 @@ pub(crate) struct Changes {
     ior: u32,
     /// The least size of visible parts, and what is visible, where small ones are left out.
     specks: Option<(u32, Visible)>,
+    /// What a mask hides.
+    hidden: Option<Hidden>,
 }
 
 /// The noise that is taken for granted where a filter is asked for and no more is measured, as a share of the way from `air` to `soft`.
@@ -70,17 +77,37 @@ impl Changes {
             Visible::new(scene, by, (shown.extent(), shown.common_range(), finest))
         };
         let specks = (transfer.speck_size > 1).then(|| (transfer.speck_size, visible()));
-        Self { opacity: transfer.opacity_smoothing, ior, specks }
+        let hidden = scene.volume.mask.as_ref().map(|mask| {
+            let by = if volumes.ior.is_some() { [By::Absorption, By::Bending] } else { [By::Both; 2] };
+            Hidden::new(mask, by.map(|by| clear_ranges(scene, by, || volumes.shown.common_range())))
+        });
+        Self { opacity: transfer.opacity_smoothing, ior, specks, hidden }
     }
 
-    /// The subject with these changes; `None` where nothing changes.
+    /// The subject of `assets` with these changes; `None` where nothing changes.
     ///
     /// # Errors
-    /// Where the memory does not suffice.
-    pub(crate) fn made(&self, subject: &Subject) -> Result<Option<Subject>, Error> {
+    /// Where the memory does not suffice, or a mask does not suit the volume.
+    pub(crate) fn made(&self, assets: &Assets) -> Result<Option<Subject>, Error> {
         if *self == Self::default() {
             return Ok(None);
         }
+        let Some(smoothed) = self.whole(&assets.subject)? else { return Ok(None) };
+        let Some(hidden) = &self.hidden else { return Ok(Some(smoothed)) };
+        let mask = assets.mask.as_ref().ok_or(Unrenderable::NoMask)?;
+        // What is smoothed would blur the mask's edge: it is hidden afterwards.
+        let without = |volume: &Volume, clear: &[[f32; 2]]| masked(volume, mask, hidden, clear).map(Arc::new);
+        Ok(Some(match &smoothed {
+            Subject::Volumes { shown, ior } => {
+                Subject::Volumes { shown: without(shown, &hidden.shown)?, ior: without(ior, &hidden.bending)? }
+            }
+            Subject::Volume(volume) => Subject::Volume(without(volume, &hidden.shown)?),
+            Subject::Mesh(_) => return Ok(None),
+        }))
+    }
+
+    /// The subject without noise and specks; `None` of a mesh.
+    fn whole(&self, subject: &Subject) -> Result<Option<Subject>, Error> {
         let whole = |volume: &Arc<Volume>| match &self.specks {
             Some((least, visible)) => Arc::new(without_specks(volume, visible, *least)),
             None => Arc::clone(volume),
@@ -113,6 +140,13 @@ fn smooth(volume: &Arc<Volume>, radius: u32) -> Result<Arc<Volume>, Error> {
     Ok(Arc::new(smoothed(volume, radius, noise.max(LEAST_NOISE * (soft - air)), soft)?))
 }
 
+/// A statement about the mask of a scene's volume.
+pub(crate) fn told_of_mask(scene: &Scene, assets: &Assets) -> Option<String> {
+    scene.volume.mask.as_ref()?;
+    let (volume, mask) = assets.subject.volume().zip(assets.mask.as_ref())?;
+    mask::told(volume, mask)
+}
+
 /// The data of a scene as its picture is made of it.
 ///
 /// # Errors
@@ -120,5 +154,5 @@ fn smooth(volume: &Arc<Volume>, radius: u32) -> Result<Arc<Volume>, Error> {
 pub(crate) fn shown(scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Error> {
     let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
     let changes = Changes::of(scene, volumes, || preset::noise(volumes.bending()));
-    Ok(changes.made(&assets.subject)?.map(|subject| Assets { subject, ..assets.clone() }))
+    Ok(changes.made(assets)?.map(|subject| Assets { subject, ..assets.clone() }))
 }

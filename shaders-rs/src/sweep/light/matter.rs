@@ -5,9 +5,9 @@
 
 use crate::abi::format::VoxelFormat;
 use crate::abi::sweep::{SweepUniforms, mode};
-use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::stencil::{central_differences, scalar, stencil, to_view_frame, voxel_coordinates};
 use crate::field::tables::{Segment, attenuation, attenuation_of_particles};
-use crate::math::{absolute, clamp, exp, length, lerp, log2, max, min, select};
+use crate::math::{absolute, clamp, dot, exp, length, lerp, log2, max, min, select};
 use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::isosurfaces::{Sheet, transmittance};
 use crate::optics::medium::span_inside;
@@ -84,15 +84,13 @@ fn place(seen: &Seen<'_>) -> Place {
 /// The share of the light that is left in a segment that crosses isosurfaces, the mean over what is seen. `depth` is the optical depth of particles on the
 /// light's way, and `ratio` that along the light over that along the view.
 ///
-/// Isosurfaces are taken for a thin layer of matter, whose depth along the light is to that along the view as the cosines to its normal are, and so the slopes of the
-/// scalar: below 0 if the light comes from the other side.
+/// Isosurfaces are taken for a thin layer of matter, whose depth along the light is to that along the view as the cosines to its normal, the `gradient` of the
+/// scalar, are: below 0 if the light comes from the other side.
 #[inline(always)]
-fn left_in_sheet(
-    place: &Place,
-    seen: &Seen<'_>,
-    (along_view, along_light): (f32, f32),
-    (depth, ratio): (f32, f32),
-) -> f32 {
+fn left_in_sheet(place: &Place, seen: &Seen<'_>, gradient: Vec3, light: Vec3, (depth, ratio): (f32, f32)) -> f32 {
+    let view = seen.to - seen.from;
+    let along_view = dot(gradient, view) / max(length(view), 1e-20);
+    let along_light = dot(gradient, light) / max(length(light), 1e-20);
     let least = absolute(along_view) * (1.0 / LARGEST_RATIO);
     let slope = select(along_light < 0.0, min(along_light, -least), max(along_light, least));
     let own = clamp(along_view / select(absolute(slope) < 1e-20, 1e-20, slope), -LARGEST_RATIO, LARGEST_RATIO);
@@ -199,17 +197,24 @@ pub fn light_in_matter<V: VoxelFormat>(
     let fading = (1.0 - exp(-(place.depth * both))) / (both * max(1.0 - seen.clear, 1e-6));
     let mean = select(place.depth < THIN, clear, exp(-first) * fading);
 
+    let light = light_at(u, light, far, chosen);
     let mut left = lerp(clear, mean, dense);
     if seen.looks_for_isosurfaces {
-        let depth = near.depth + beyond.depth;
-        let in_sheet = left_in_sheet(&place, seen, (along_view, along_light), (depth, ratio));
+        let crosses = seen.sheet.depth > 0.0;
+        let mut in_sheet = left;
+        // On a CPU a branch around scattered reads is no vector code.
+        if !cfg!(target_arch = "spirv") | crosses {
+            let around = stencil::<V>(voxels, &u.grid, voxel_coordinates(&u.grid, at));
+            let gradient = to_view_frame(&u.grid, central_differences(&around));
+            let depth = near.depth + beyond.depth;
+            in_sheet = left_in_sheet(&place, seen, gradient, light.direction, (depth, ratio));
+        }
         // Beside the isosurfaces that the segment crosses others may be in the light's way, but for one that comes over a cut.
         let (low, high) = (min(seen.front, seen.back), max(seen.front, seen.back));
         let others = transmittance(tables, beyond.scalar, near.scalar, Span::WHOLE)
             * transmittance(tables, near.scalar, clamp(near.scalar, low, high), Span::WHOLE);
         let others = select(min(near.filled, beyond.filled) < 1.0, 1.0, others);
-        left = select(seen.sheet.depth > 0.0, in_sheet, left) * others;
+        left = select(crosses, in_sheet, left) * others;
     }
-    let light = light_at(u, light, far, chosen);
     Light { flux: light.flux * (medium * left), direction: light.direction }
 }

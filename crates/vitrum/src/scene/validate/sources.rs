@@ -98,6 +98,19 @@ fn check_source(key: &str, source: &VolumeSource) -> Result<(), Fault> {
             return Err(Fault::contradiction(&format!("{key}.seconds"), problem, "leave one of them out"));
         }
     }
+    if let Some(mask) = &source.mask {
+        let of_shown = key == "volume";
+        refuse(
+            &[(&format!("{key}.mask"), !of_shown)],
+            "a mask is of the volume that is shown",
+            "and set `volume.mask`",
+        )?;
+        refuse(
+            &[("volume.mask.labels", !mask.labels.iter().all(|label| label.is_finite()))],
+            "a label is not finite",
+            "or correct it",
+        )?;
+    }
     check_up(key, source.up.as_deref())
 }
 
