@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::film::Frame;
 use crate::ground_alone::ground_alone;
 use crate::method::{self, Cache, Job};
-use crate::request::{OutputRequest, Progress};
+use crate::request::{Layers, OutputRequest, Progress};
 use crate::scene::{Background, Scene};
 use crate::subject::Subject;
 use std::sync::Arc;
@@ -92,7 +92,7 @@ impl Renderer {
         request: OutputRequest,
         progress: &mut (dyn FnMut(Progress) -> bool + Send),
     ) -> Result<Frame, Error> {
-        let job = Job { scene, assets: &self.assets, request, refined: None };
+        let job = Job { scene, assets: &self.assets, request, chosen: None };
         frame(&job, &mut self.cache, self.backend.as_mut(), progress)
     }
 }
@@ -131,7 +131,7 @@ pub fn render_requested(
     backend: &mut dyn Backend,
     progress: &mut (dyn FnMut(Progress) -> bool + Send),
 ) -> Result<Frame, Error> {
-    frame(&Job { scene, assets, request, refined: None }, &mut Cache::default(), backend, progress)
+    frame(&Job { scene, assets, request, chosen: None }, &mut Cache::default(), backend, progress)
 }
 
 /// Renders one frame with the data that a cache has of earlier frames; the cache must belong to the same assets and the same backend.
@@ -173,9 +173,14 @@ fn frame_here(
         // Differences of pictures: each pixel has the same rays in all of them.
         scene.film.refinement = 1;
     }
+    // The background shines through clear matter in its colour.
+    let request = OutputRequest { layers: job.request.layers.with("transmittance"), ..job.request };
+    let job = &Job { request, ..*job };
     let whole = exposed(&Job { scene: &scene, ..*job }, cache, backend, progress)?;
     let frame = if catches {
         let bare = Scene { ground: None, ..scene.clone() };
+        let layers = Layers::color().with("transmittance").with("depth");
+        let job = &Job { request: OutputRequest { light: false, layers, ..job.request }, ..*job };
         let bare = exposed(&Job { scene: &bare, ..*job }, cache, backend, progress)?;
         let (alone, assets) = ground_alone(&scene, job.assets)?;
         let alone = Job { scene: &alone, assets: &assets, ..*job };
