@@ -7,9 +7,11 @@ use crate::error::Error;
 use crate::film::Frame;
 use crate::ground_alone::ground_alone;
 use crate::method::{self, Cache, Job};
+use crate::preset;
 use crate::request::{Layers, OutputRequest, Progress};
-use crate::scene::{Background, Scene};
-use crate::subject::Subject;
+use crate::scene::{Background, Interpolation, Scene};
+use crate::subject::{Subject, Volumes};
+use crate::unrenderable::Unrenderable;
 use std::sync::Arc;
 use vitrum_io::Mesh;
 
@@ -104,6 +106,12 @@ impl Renderer {
 /// values together make no frame, as when the light shines towards the camera.
 pub fn check(scene: &Scene, assets: &Assets) -> Result<(), Error> {
     scene.check_settings()?;
+    if scene.volume.interpolation == Interpolation::Cubic {
+        let mut volumes = assets.subject.volumes().into_iter().flat_map(Volumes::iter);
+        if let Some(labels) = volumes.find(|volume| preset::are_named_labels(volume)) {
+            return Err(Unrenderable::CubicLabels { name: labels.name.clone() }.into());
+        }
+    }
     method::of(scene.method).check(scene, assets)
 }
 
@@ -161,7 +169,10 @@ fn frame_here(
     let shown = cache.shown(job.scene, job.assets)?;
     let assets = shown.as_ref().unwrap_or(job.assets);
     let framed = cache.framed(job.scene, assets);
-    let job = &Job { scene: framed.as_ref().unwrap_or(job.scene), assets, ..*job };
+    let scene = framed.as_ref().unwrap_or(job.scene);
+    let finer = cache.finer(scene, assets)?;
+    let (scene, assets) = finer.as_ref().map_or((scene, assets), |(scene, assets)| (scene, assets));
+    let job = &Job { scene, assets, ..*job };
     let Some(background) = job.scene.background.as_deref().and_then(Background::parse) else {
         return exposed(job, cache, backend, progress);
     };
