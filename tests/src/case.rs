@@ -81,7 +81,7 @@ impl Case {
     /// The case with the light carried only as far as the picture needs it.
     #[must_use]
     pub fn without_light(self) -> Self {
-        Self { request: OutputRequest { light: false }, ..self }
+        Self { request: OutputRequest { light: false, ..OutputRequest::default() }, ..self }
     }
 
     /// The case with the voxels rounded to bytes, as many scans store them.

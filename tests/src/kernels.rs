@@ -11,7 +11,7 @@ use std::sync::Arc;
 use vitrum::Assets;
 use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
-use vitrum::method::{self, Cache, Job, PreparedFrame, RefinedPixels, Tools};
+use vitrum::method::{self, Cache, ChosenRays, Job, PreparedFrame, RefinedPixels, Tools};
 use vitrum_io::{Mesh, Picture, Volume, Voxels};
 use vitrum_kernels::abi::record::{inscattered, landed};
 use vitrum_kernels::field::sums::to_number;
@@ -468,8 +468,9 @@ pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<Box<dyn Prepare
     let pixels: Vec<u32> =
         (0..RefinedPixels::COLUMNS).map(|i| word(7 * i % scene.film.width, 3 * i % scene.film.height)).collect();
     let edge = scene.film.refinement;
-    let refined = (edge > scene.film.supersampling).then_some(RefinedPixels { pixels: &pixels, edge });
-    let job = Job { scene: &exposures[0].scene, assets, request: *request, refined };
+    let refined = ChosenRays::Refined(RefinedPixels { pixels: &pixels, edge });
+    let chosen = (edge > scene.film.supersampling).then_some(refined);
+    let job = Job { scene: &exposures[0].scene, assets, request: *request, chosen };
     let mut tools = Tools { backend, progress: &mut |_| true };
     Ok(method.prepare(&job, &mut Cache::default(), &mut tools)?)
 }

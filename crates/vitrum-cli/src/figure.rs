@@ -4,7 +4,7 @@ use crate::failure::{Failure, Status};
 use std::path::Path;
 use vitrum::io::{Picture, Staged, stage_text};
 use vitrum::scene::{Background, Scene};
-use vitrum::{Assets, Frame, framed};
+use vitrum::{Assets, Frame, Layers, framed};
 use vitrum_annotations::{AnnotationError, Overlay};
 
 /// Formats of the screen, whose pictures are annotated.
@@ -33,22 +33,31 @@ impl Figure {
     }
 
     /// The frame's picture as a file gets it: formats of the screen with straight alpha and annotations, others linear and complete.
-    pub fn picture(&self, frame: &Frame, file: &Path) -> Result<Picture, Failure> {
+    pub fn picture(&self, frame: Frame, file: &Path) -> Result<Picture, Failure> {
         if !is_one_of(file, &OF_SCREENS) {
-            return Ok(if is_one_of(file, &["tif", "tiff"]) { frame.straight_picture() } else { frame.picture() });
+            return Ok(if is_one_of(file, &["tif", "tiff"]) {
+                frame.into_straight_picture()
+            } else {
+                frame.into_picture()
+            });
         }
         self.screen_picture(frame, is_one_of(file, &OPAQUE))
     }
 
     /// The frame's picture for a screen; `opaque` for a format without alpha, in which what is clear is black.
-    pub fn screen_picture(&self, frame: &Frame, opaque: bool) -> Result<Picture, Failure> {
-        let mut picture = if opaque { frame.picture() } else { frame.straight_picture() };
+    pub fn screen_picture(&self, frame: Frame, opaque: bool) -> Result<Picture, Failure> {
+        let mut picture = if opaque { frame.into_picture() } else { frame.into_straight_picture() };
         picture.layers.truncate(1);
         if opaque && let Some(layer) = picture.layers.first_mut() {
             layer.channels.retain(|channel| channel.name != "A");
         }
         self.overlay.as_ref().map_or(Ok(()), |overlay| overlay.draw(&mut picture))?;
         Ok(picture)
+    }
+
+    /// The outputs that a file's picture has.
+    pub fn layers(file: &Path) -> Layers {
+        if is_one_of(file, &["exr"]) { Layers::ALL } else { Layers::color() }
     }
 
     /// The SVG document, beside its place until the other files are there, too.

@@ -22,7 +22,7 @@ fn scene_files_with_mistakes_exit_3_and_name_the_line() {
     );
     folder.write("scene.toml", "volume.builtin = \"ball\"\nfilm.width = 0\n");
     folder.refuse(&render, 3, &["line 2", "`film.width`", "found 0", "1 to 16384"]);
-    folder.write("scene.toml", "volume.builtin = \"ball\"\n[film]\nwidth = 16384\nheight = 16384\nsupersampling = 4\n");
+    folder.write("scene.toml", "volume.builtin = \"ball\"\nsweep.light = \"texels\"\n[film]\nwidth = 16384\nheight = 16384\nsupersampling = 4\n");
     folder.refuse(&render, 3, &["16384 x 16384", "4294967296", "67108863"]);
     folder.write("scene.toml", "volume.builtin = \"ball\nlight = 3");
     folder.refuse(&render, 3, &["scene.toml, line 1"]);
@@ -81,7 +81,10 @@ fn wrong_flags_exit_2() {
         (&["--size", "0x32"][..], &["the width is 0 pixels", "1 to 16384"][..]),
         (&["--size", "100000x100000"], &["the width is 100000 pixels", "1 to 16384"]),
         (&["--size", "32"], &["WIDTHxHEIGHT"]),
-        (&["--size", "16384x16384", "--set", "film.supersampling=2"], &["1073741824", "67108863"]),
+        (
+            &["--size", "16384x16384", "--set", "film.supersampling=2", "--set", "sweep.light=texels"],
+            &["1073741824", "67108863"],
+        ),
         (&["--set", "light.0.angular_radius"], &["there is no `=`", "KEY=VALUE"]),
         (&["--set", "light.0.angular_radiu=3"], &["unknown key", "did you mean `light.0.angular_radius`?"]),
         (&["--set", "light.0.angular_radius=90"], &["found 90", "0 to 45"]),

@@ -20,7 +20,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut renderer = Renderer::new(Box::new(CpuBackend::new(None)?), volume);
     for azimuth in [0.0, 60.0, 120.0] {
         scene.camera.azimuth = azimuth;
-        let frame = renderer.render(&scene, OutputRequest { light: false }, &mut |_| true)?;
+        let frame =
+            renderer.render(&scene, OutputRequest { light: false, ..OutputRequest::default() }, &mut |_| true)?;
         frame.write(format!("ball-{azimuth}.png").as_ref())?;
     }
     Ok(())

@@ -16,6 +16,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     preset::apply("amber", volume, &mut scene)?;
     let backend = backend::open(backend::Choice::Auto, &backend::GpuOptions::default(), None)?;
     let mut renderer = Renderer::new(backend, assets);
-    renderer.render(&scene, OutputRequest { light: false }, &mut |_| true)?.write("volume.png".as_ref())?;
+    renderer
+        .render(&scene, OutputRequest { light: false, ..OutputRequest::default() }, &mut |_| true)?
+        .write("volume.png".as_ref())?;
     Ok(())
 }

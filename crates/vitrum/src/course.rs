@@ -1,13 +1,14 @@
-//! The course from a scene to a frame: exposures one after another, summed up, and pixels that are rendered anew.
+//! The course from a scene to a frame: exposures one after another, each in parts, summed up; and pixels that are rendered anew.
 
 use crate::backend::times::merge;
 use crate::backend::{Backend, KernelTime, ReadBack as _};
 use crate::error::Error;
-use crate::film::{Accumulator, Frame, RayRecords, Rendered, Statistics, index_of, replace};
-use crate::method::{self, Bounds, Cache, Exposure, Job, Method, Part, PreparedFrame, RefinedPixels, Tools, View};
+use crate::film::{Accumulator, Costly, Frame, Places, RayRecords, Rendered, Statistics};
+use crate::method::{self, Bounds, Cache, ChosenRays, Exposure, Job, Method, Part, PreparedFrame};
+use crate::method::{RefinedPixels, Tools, View};
+use crate::parts::parts;
 use crate::request::{OutputRequest, Progress, Stage};
 use crate::scene::Film;
-use vitrum_io::Layer;
 use web_time::Instant;
 
 /// A frame of a scene as it is, with its exposures summed up.
@@ -20,39 +21,29 @@ pub(crate) fn exposed(
     let scene = job.scene;
     let method = method::of(scene.method);
     let exposures = method.exposures(scene, job.assets);
-    // These come first.
-    let whole = exposures.iter().filter(|exposure| exposure.part == Part::Whole).count();
+    let Film { width, height, supersampling, refinement, refinement_budget, .. } = scene.film;
+    let size = [width, height];
     let mut course = Course { method, cache, backend, progress, spent: Spent::default() };
-    let mut sum = Accumulator::new(method.outputs(), exposures.len());
-    let mut statistics = Statistics::default();
-    for (index, exposure) in exposures.iter().enumerate() {
-        let job = Job { scene: &exposure.scene, ..*job };
-        let prepared = course.add(&job, exposure, (index, exposures.len()), Stage::Render, &mut sum)?;
-        if index + 1 == whole {
-            statistics = Statistics::of(scene, course.backend);
-            prepared.statistics(&sum.film, course.backend, &mut statistics)?;
-        }
-    }
-    let size = [scene.film.width, scene.film.height];
-    let rays = RayRecords { records: &sum.film, size, edge: scene.film.supersampling };
-    let shown = || method.outputs().iter().filter(|output| !output.channels.is_empty());
-    let mut layers: Vec<Layer> = shown().map(|output| rays.layer(output)).collect();
-    if method.refines() && scene.film.refinement > scene.film.supersampling {
-        let fates = layers.iter().find(|layer| layer.name == "status").map(|layer| layer.channels[0].data.as_slice());
+    let mut sum = Accumulator::new(method.outputs(), job.request.layers, exposures.len(), size);
+    let refines = method.refines() && refinement > supersampling;
+    let mut costly = refines.then(|| Costly::none(size));
+    let mut statistics = course.expose(job, &exposures, &mut sum, costly.as_mut())?;
+    if let (Some(costly), Some(color)) = (costly, sum.layers.first()) {
         let exposure = libm::exp2f(scene.film.exposure);
-        let Film { supersampling, refinement, refinement_budget, .. } = scene.film;
         let times = refinement as f32 / supersampling as f32;
-        let pixels = Rendered { color: &layers[0], fates, size, exposure }.differing(times * times, refinement_budget);
+        let rendered = Rendered { color, costly: &costly, size, exposure };
+        let pixels = rendered.differing(times * times, refinement_budget);
+        drop(costly);
         statistics.refined_pixels = Some(pixels.len() as u64);
-        course.refine(job, &exposures, &pixels, &mut layers)?;
+        course.refine(job, &exposures, &pixels, &mut sum)?;
     }
     let Spent { frame_ms, upload_ms, kernels, dispatches } = course.spent;
-    let [width, height] = size;
     let bounds = Bounds::from(&job.assets.subject);
     let camera = Some(View::new(scene, bounds).matrices(height, bounds));
     let (frame_ms, upload_ms) = (vec![frame_ms], Some(upload_ms));
-    let statistics = Statistics { camera, dispatches, frame_ms, kernels, upload_ms, ..statistics };
-    Ok(Frame { width, height, layers, light: sum.light, statistics }.expose(scene.film.exposure))
+    let statistics = Statistics { camera, dispatches, frame_ms, kernels, upload_ms, ..statistics }.with_peak();
+    let Accumulator { layers, light, .. } = sum;
+    Ok(Frame { width, height, layers, light, statistics }.expose(scene.film.exposure))
 }
 
 /// Time and passes that a frame has taken.
@@ -73,19 +64,65 @@ struct Course<'a> {
     spent: Spent,
 }
 
-/// The most rays of refined pixels at once: their records take some hundred megabytes.
-const MOST_REFINED_RAYS: usize = 1 << 20;
-
 impl Course<'_> {
-    /// Renders the exposure of a job, number `index` of `count`, and adds it to `sum`.
-    fn add(
+    /// Renders all exposures, each part of the picture by itself, and sums them up.
+    fn expose(
         &mut self,
         job: &Job<'_>,
-        exposure: &Exposure,
+        exposures: &[Exposure],
+        sum: &mut Accumulator,
+        mut costly: Option<&mut Costly>,
+    ) -> Result<Statistics, Error> {
+        let Film { width, height, supersampling: edge, .. } = job.scene.film;
+        let size = [width, height];
+        let most = if self.method.divides(job.scene) { job.request.rays_at_once } else { u32::MAX };
+        let parts = parts(size, edge, most);
+        let count = exposures.len() * parts.len();
+        // These come first.
+        let whole = exposures.iter().filter(|exposure| exposure.part == Part::Whole).count();
+        let (mut counted, mut statistics) = (Statistics::default(), Statistics::default());
+        // All parts in a light that is there, then all in the next one.
+        for (index, exposure) in exposures.iter().enumerate() {
+            sum.begin(index, exposure);
+            if sum.is_nearest() {
+                counted = Statistics::default();
+            }
+            for (number, part) in parts.iter().enumerate() {
+                let tile = (parts.len() > 1).then(|| part.tile(size, edge));
+                let request = OutputRequest { light: job.request.light && number == 0, ..job.request };
+                let job = Job { scene: &exposure.scene, request, chosen: tile.map(ChosenRays::Tile), ..*job };
+                let at = (index * parts.len() + number, count);
+                let (prepared, mut film) = self.render(&job, at, Stage::Render)?;
+                if let Some(light) = prepared.light(&mut *self.backend)? {
+                    sum.add_light(light);
+                }
+                if let Some(tile) = tile {
+                    part.trim(tile, edge, &mut film);
+                }
+                if sum.is_nearest() {
+                    prepared.count(&film, &mut counted);
+                    if let Some(costly) = &mut costly {
+                        costly.find(*part, edge, |ray| self.method.is_costly(&film, ray));
+                    }
+                }
+                sum.add(&RayRecords { records: &film, size: part.size, edge }, &Places::Rectangle(*part));
+                if (index + 1, number + 1) == (whole, parts.len()) {
+                    statistics = Statistics::of(job.scene, &mut *self.backend);
+                    prepared.statistics(&mut *self.backend, &mut statistics)?;
+                }
+            }
+        }
+        let Statistics { rays_terminated, rays_trapped, .. } = counted;
+        Ok(Statistics { rays_terminated, rays_trapped, ..statistics })
+    }
+
+    /// Renders the exposure of a job, number `index` of `count`: the prepared frame and the finished records.
+    fn render(
+        &mut self,
+        job: &Job<'_>,
         (index, count): (usize, usize),
         stage: Stage,
-        sum: &mut Accumulator,
-    ) -> Result<Box<dyn PreparedFrame>, Error> {
+    ) -> Result<(Box<dyn PreparedFrame>, Vec<f32>), Error> {
         let Self { method, cache, backend, progress, spent } = self;
         let started = Instant::now();
         let prepared = method.prepare(job, cache, &mut Tools { backend: &mut **backend, progress: &mut **progress })?;
@@ -99,46 +136,37 @@ impl Course<'_> {
         spent.frame_ms += started.elapsed().as_secs_f64() * 1e3;
         merge(&mut spent.kernels, &backend.take_kernel_times());
         spent.dispatches += prepared.passes().passes.len() as u64;
-        let light = prepared.light(&mut **backend)?;
-        let [across, down] = prepared.rays();
-        sum.add(exposure, film, across as usize * down as usize, light);
-        Ok(prepared)
+        Ok((prepared, film))
     }
 
-    /// Renders some pixels anew, with more rays, and puts their values into `layers`.
+    /// Renders some pixels anew, with more rays, and puts their values in place of those in `sum`.
     fn refine(
         &mut self,
         job: &Job<'_>,
         exposures: &[Exposure],
         pixels: &[u32],
-        layers: &mut [Layer],
+        sum: &mut Accumulator,
     ) -> Result<(), Error> {
-        let film = &job.scene.film;
-        let edge = film.refinement;
+        let edge = job.scene.film.refinement;
         let columns = RefinedPixels::COLUMNS as usize;
-        let at_once = (MOST_REFINED_RAYS / (edge * edge) as usize / columns).max(1) * columns;
-        // Rows are full: the last pixel stands in for those that are missing.
-        let filled = |part: &[u32]| {
-            let missing = part.len().next_multiple_of(columns) - part.len();
-            part.iter().copied().chain(part.last().copied().into_iter().cycle().take(missing)).collect::<Vec<u32>>()
-        };
-        let parts: Vec<Vec<u32>> = pixels.chunks(at_once).map(filled).collect();
-        let outputs = self.method.outputs();
-        let mut sums: Vec<_> = parts.iter().map(|_| Accumulator::new(outputs, exposures.len())).collect();
-        let count = exposures.len() * parts.len();
-        // All parts in a light that is there, then all in the next one.
-        let all = exposures.iter().flat_map(|exposure| (0..parts.len()).map(move |part| (exposure, part)));
-        for (index, (exposure, part)) in all.enumerate() {
-            let refined = Some(RefinedPixels { pixels: &parts[part], edge });
-            let job = Job { scene: &exposure.scene, request: OutputRequest { light: false }, refined, ..*job };
-            self.add(&job, exposure, (index, count), Stage::Refine, &mut sums[part])?;
-        }
-        for (part, sum) in parts.iter().zip(&sums) {
-            let refined = RefinedPixels { pixels: part, edge };
-            let rays = RayRecords { records: &sum.film, size: refined.size(), edge };
-            let at: Vec<usize> = part.iter().map(|&word| index_of(word, film.width)).collect();
-            for (layer, output) in layers.iter_mut().zip(outputs.iter().filter(|output| !output.channels.is_empty())) {
-                replace(layer, output, &rays.layer(output), &at);
+        let at_once = ((job.request.rays_at_once / (edge * edge)) as usize / columns).max(1) * columns;
+        let count = exposures.len() * pixels.len().div_ceil(at_once);
+        let mut done = 0;
+        for (index, exposure) in exposures.iter().enumerate() {
+            sum.begin(index, exposure);
+            for part in pixels.chunks(at_once) {
+                // Rows are full: the last pixel stands in for those that are missing.
+                let missing = part.len().next_multiple_of(columns) - part.len();
+                let last = part.last().copied().into_iter().cycle().take(missing);
+                let filled: Vec<u32> = part.iter().copied().chain(last).collect();
+                let refined = RefinedPixels { pixels: &filled, edge };
+                let request = OutputRequest { light: false, ..job.request };
+                let chosen = Some(ChosenRays::Refined(refined));
+                let job = Job { scene: &exposure.scene, request, chosen, ..*job };
+                let (_, film) = self.render(&job, (done, count), Stage::Refine)?;
+                done += 1;
+                let rays = RayRecords { records: &film, size: refined.size(), edge };
+                sum.add(&rays, &Places::Anew(part));
             }
         }
         Ok(())

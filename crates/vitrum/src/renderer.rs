@@ -7,9 +7,11 @@ use crate::error::Error;
 use crate::film::Frame;
 use crate::ground_alone::ground_alone;
 use crate::method::{self, Cache, Job};
-use crate::request::{OutputRequest, Progress};
-use crate::scene::{Background, Scene};
-use crate::subject::Subject;
+use crate::preset;
+use crate::request::{Layers, OutputRequest, Progress};
+use crate::scene::{Background, Interpolation, Scene};
+use crate::subject::{Subject, Volumes};
+use crate::unrenderable::Unrenderable;
 use std::sync::Arc;
 use vitrum_io::Mesh;
 
@@ -92,7 +94,7 @@ impl Renderer {
         request: OutputRequest,
         progress: &mut (dyn FnMut(Progress) -> bool + Send),
     ) -> Result<Frame, Error> {
-        let job = Job { scene, assets: &self.assets, request, refined: None };
+        let job = Job { scene, assets: &self.assets, request, chosen: None };
         frame(&job, &mut self.cache, self.backend.as_mut(), progress)
     }
 }
@@ -104,6 +106,12 @@ impl Renderer {
 /// values together make no frame, as when the light shines towards the camera.
 pub fn check(scene: &Scene, assets: &Assets) -> Result<(), Error> {
     scene.check_settings()?;
+    if scene.volume.interpolation == Interpolation::Cubic {
+        let mut volumes = assets.subject.volumes().into_iter().flat_map(Volumes::iter);
+        if let Some(labels) = volumes.find(|volume| preset::are_named_labels(volume)) {
+            return Err(Unrenderable::CubicLabels { name: labels.name.clone() }.into());
+        }
+    }
     method::of(scene.method).check(scene, assets)
 }
 
@@ -131,7 +139,7 @@ pub fn render_requested(
     backend: &mut dyn Backend,
     progress: &mut (dyn FnMut(Progress) -> bool + Send),
 ) -> Result<Frame, Error> {
-    frame(&Job { scene, assets, request, refined: None }, &mut Cache::default(), backend, progress)
+    frame(&Job { scene, assets, request, chosen: None }, &mut Cache::default(), backend, progress)
 }
 
 /// Renders one frame with the data that a cache has of earlier frames; the cache must belong to the same assets and the same backend.
@@ -161,7 +169,10 @@ fn frame_here(
     let shown = cache.shown(job.scene, job.assets)?;
     let assets = shown.as_ref().unwrap_or(job.assets);
     let framed = cache.framed(job.scene, assets);
-    let job = &Job { scene: framed.as_ref().unwrap_or(job.scene), assets, ..*job };
+    let scene = framed.as_ref().unwrap_or(job.scene);
+    let finer = cache.finer(scene, assets)?;
+    let (scene, assets) = finer.as_ref().map_or((scene, assets), |(scene, assets)| (scene, assets));
+    let job = &Job { scene, assets, ..*job };
     let Some(background) = job.scene.background.as_deref().and_then(Background::parse) else {
         return exposed(job, cache, backend, progress);
     };
@@ -173,9 +184,14 @@ fn frame_here(
         // Differences of pictures: each pixel has the same rays in all of them.
         scene.film.refinement = 1;
     }
+    // The background shines through clear matter in its colour.
+    let request = OutputRequest { layers: job.request.layers.with("transmittance"), ..job.request };
+    let job = &Job { request, ..*job };
     let whole = exposed(&Job { scene: &scene, ..*job }, cache, backend, progress)?;
     let frame = if catches {
         let bare = Scene { ground: None, ..scene.clone() };
+        let layers = Layers::color().with("transmittance").with("depth");
+        let job = &Job { request: OutputRequest { light: false, layers, ..job.request }, ..*job };
         let bare = exposed(&Job { scene: &bare, ..*job }, cache, backend, progress)?;
         let (alone, assets) = ground_alone(&scene, job.assets)?;
         let alone = Job { scene: &alone, assets: &assets, ..*job };

@@ -241,6 +241,12 @@ pub enum Unrenderable {
         /// The widest angle, in degrees.
         limit: f64,
     },
+    /// Labels of parts are to be interpolated.
+    #[error("volume.interpolation is \"cubic\", and the values of {name} are labels, which have nothing between them")]
+    CubicLabels {
+        /// The volume.
+        name: String,
+    },
     /// The picture that a spot projects is not among the assets.
     #[error("light.{index}.texture is {}, and the assets have no picture of that name", path.display())]
     NoTexture {
@@ -395,6 +401,7 @@ impl Unrenderable {
                 "give `transfer.opacity` a point of opacity 0, with a white `filter` and the index of the surroundings"
                     .to_owned()
             }
+            Self::CubicLabels { .. } => "set `volume.interpolation = \"nearest\"`".to_owned(),
             Self::NoDensity => "set `Assets::density`, or read the assets by `Assets::load`".to_owned(),
             Self::ObliqueDensity { .. } => {
                 "resample the volume along the world's axes, or save it without its directions".to_owned()

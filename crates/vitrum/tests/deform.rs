@@ -11,7 +11,9 @@ use vitrum::io::Mesh;
 use vitrum::scene::{MethodName, Scene};
 use vitrum::{Assets, MovingMeshes, OutputRequest, Renderer, builtin, render_requested};
 
-const REQUEST: OutputRequest = OutputRequest { light: false };
+fn request() -> OutputRequest {
+    OutputRequest { light: false, ..OutputRequest::default() }
+}
 
 /// Counts bytes that buffers are made with, and bytes that are written to buffers that were there; fails a write when told to.
 #[derive(Clone, Default)]
@@ -61,7 +63,7 @@ fn load(scene: &Scene) -> Assets {
 }
 
 fn fresh(scene: &Scene, assets: &Assets) -> vitrum::Frame {
-    render_requested(scene, assets, REQUEST, &mut cpu(), &mut |_| true).expect("a picture")
+    render_requested(scene, assets, request(), &mut cpu(), &mut |_| true).expect("a picture")
 }
 
 const VOXELS: [&str; 3] = ["method=voxels", "medium=none", "ground={height=-6}"];
@@ -73,13 +75,13 @@ fn a_sea_has_the_pictures_of_its_moments() {
     for (name, settings) in [("beams", &[][..]), ("voxels", &VOXELS), ("exact", &EXACT), ("sweep", &SWEEP)] {
         let mut scene = sea(settings);
         let (mut renderer, uploads) = renderer(load(&scene));
-        let mut last = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+        let mut last = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
         let [first, _] = uploads.since();
         let mut meshes = MovingMeshes::new("", None);
         for seconds in [0.4, 2.0] {
             scene.mesh[0].time = Some(seconds);
             renderer.deform(meshes.at(&scene.mesh).expect("a mesh"));
-            let frame = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+            let frame = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
             let [made, written] = uploads.since();
             assert!(frame.layers == fresh(&scene, &load(&scene)).layers, "{name}, {seconds} s: another picture");
             assert!(frame.layers != last.layers, "{name}, {seconds} s: nothing has moved");
@@ -102,11 +104,11 @@ fn a_twist_refits_the_tree() {
     let (mut scene, assets) = small("torus");
     scene.set("voxels.surfaces=exact").expect("a setting");
     let (mut renderer, uploads) = renderer(assets.clone());
-    renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+    renderer.render(&scene, request(), &mut |_| true).expect("a picture");
     uploads.since();
     for twist in [10.0, 25.0, 0.0] {
         scene.mesh[0].twist = twist;
-        let frame = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+        let frame = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
         let [_, written] = uploads.since();
         assert!(written > 1 << 20, "{twist}°: {written} bytes");
         let other = fresh(&scene, &assets);
@@ -151,14 +153,14 @@ fn a_tree_that_is_worn_out_is_built_anew() {
     scene.set("voxels.surfaces=exact").expect("a setting");
     let assets = Assets::from(bodies(|number| number, 0.0));
     let (mut renderer, uploads) = renderer(assets);
-    renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+    renderer.render(&scene, request(), &mut |_| true).expect("a picture");
     let [first, _] = uploads.since();
     // Neighbours that lean stay neighbours; with steps of 75 places, odd and therefore without two at one place, none do.
     for (name, mesh, stays) in
         [("lean", bodies(|number| number, 0.2), true), ("far", bodies(|number| number * 75 % 512, 0.0), false)]
     {
         renderer.deform(Arc::new(mesh.clone()));
-        let frame = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+        let frame = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
         let [made, written] = uploads.since();
         assert_eq!((made < first / 8, written > 0), (stays, stays), "{name}: {made} and {written} of {first}");
         assert!(frame.layers == fresh(&scene, &Assets::from(mesh)).layers, "{name}: another picture");
@@ -177,7 +179,7 @@ fn a_mesh_of_other_triangles_materials_or_colours_is_uploaded_anew() {
     let (mut renderer, _) = renderer(load(&scene));
     for mesh in [waves.clone(), painted, colored, builtin::mesh("vase").expect("it is built in"), waves] {
         renderer.deform(Arc::new(mesh.clone()));
-        let frame = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+        let frame = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
         assert!(frame.layers == fresh(&scene, &Assets::from(mesh)).layers);
     }
 }
@@ -186,12 +188,12 @@ fn a_mesh_of_other_triangles_materials_or_colours_is_uploaded_anew() {
 fn a_frame_whose_refit_fails_is_none_and_the_next_one_is_right() {
     let mut scene = sea(&[]);
     let (mut renderer, uploads) = renderer(load(&scene));
-    renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+    renderer.render(&scene, request(), &mut |_| true).expect("a picture");
     scene.mesh[0].time = Some(0.4);
     renderer.deform(MovingMeshes::new("", None).at(&scene.mesh).expect("a mesh"));
     uploads.fails.store(true, Ordering::Relaxed);
-    assert!(renderer.render(&scene, REQUEST, &mut |_| true).is_err());
-    let frame = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+    assert!(renderer.render(&scene, request(), &mut |_| true).is_err());
+    let frame = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
     assert!(frame.layers == fresh(&scene, &load(&scene)).layers);
 }
 
@@ -199,10 +201,10 @@ fn a_frame_whose_refit_fails_is_none_and_the_next_one_is_right() {
 fn a_volume_makes_room_for_a_mesh() {
     let (scene, assets) = small("ball");
     let (mut renderer, _) = renderer(assets);
-    renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+    renderer.render(&scene, request(), &mut |_| true).expect("a picture");
     let scene = sea(&SWEEP);
     assert_eq!(scene.method, MethodName::Sweep);
     renderer.deform(MovingMeshes::new("", None).at(&scene.mesh).expect("a mesh"));
-    let frame = renderer.render(&scene, REQUEST, &mut |_| true).expect("a picture");
+    let frame = renderer.render(&scene, request(), &mut |_| true).expect("a picture");
     assert!(frame.layers == fresh(&scene, &load(&scene)).layers);
 }

@@ -26,7 +26,7 @@ fn two_hundred_renders_take_the_memory_of_one() {
         scene.camera.azimuth = index as f32;
         scene.film.width = 60 + index % 5;
         let one = render(&scene, &assets, backend, &mut |_| true).expect("a picture");
-        let request = OutputRequest { light: false };
+        let request = OutputRequest { light: false, ..OutputRequest::default() };
         render_requested(&scene, &assets, request, backend, &mut |_| true).expect("a picture");
         one.layers.iter().flat_map(|layer| &layer.channels).map(|channel| 4 * channel.data.len() as u64).sum::<u64>()
     };

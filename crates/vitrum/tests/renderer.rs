@@ -44,7 +44,7 @@ fn a_turn_of_the_camera_uploads_nothing_but_uniforms() {
         let uploaded = Arc::new(AtomicU64::new(0));
         let backend = Box::new(Watched::new(Uploads(Arc::clone(&uploaded))));
         let mut renderer = Renderer::new(backend, assets.clone());
-        let request = OutputRequest { light: false };
+        let request = OutputRequest { light: false, ..OutputRequest::default() };
         renderer.render(&scene, request, &mut |_| true).expect("a picture");
         assert!(uploaded.swap(0, Ordering::Relaxed) > 1000, "{name}: nothing was uploaded for the first frame");
         scene.camera.azimuth += 3.0;
@@ -62,7 +62,7 @@ fn exposures_of_several_lights_share_what_is_uploaded() {
         let (mut scene, assets) = small(name);
         let uploaded = Arc::new(AtomicU64::new(0));
         let mut renderer = Renderer::new(Box::new(Watched::new(Uploads(Arc::clone(&uploaded)))), assets);
-        let request = OutputRequest { light: false };
+        let request = OutputRequest { light: false, ..OutputRequest::default() };
         renderer.render(&scene, request, &mut |_| true).expect("a picture");
         let of_one = uploaded.swap(0, Ordering::Relaxed);
         let other = Light { azimuth: 20.0, ..scene.light[0].clone() };
@@ -84,7 +84,7 @@ fn the_light_of_several_sources_stays_while_the_camera_turns() {
     scene.light.push(other);
     let mut renderer = Renderer::new(Box::new(cpu()), assets.clone());
     for light in [false, true] {
-        let request = OutputRequest { light };
+        let request = OutputRequest { light, ..OutputRequest::default() };
         renderer.render(&scene, request, &mut |_| true).expect("a picture");
         scene.camera.azimuth += 3.0;
         let frame = renderer.render(&scene, request, &mut |_| true).expect("a picture");

@@ -36,8 +36,14 @@ fn light_carried_forward_fits_into_buffers() {
     for setting in [format!("sweep.light_cells={CELLS}"), "sweep.sample_distance=0.25".to_owned()] {
         scene.set(&setting).expect("it is a key");
     }
-    let frame = vitrum::render_requested(&scene, &assets, OutputRequest { light: true }, &mut backend, &mut |_| true)
-        .expect("it renders");
+    let frame = vitrum::render_requested(
+        &scene,
+        &assets,
+        OutputRequest { light: true, ..OutputRequest::default() },
+        &mut backend,
+        &mut |_| true,
+    )
+    .expect("it renders");
     assert!(frame.layers.iter().flat_map(|layer| &layer.channels).all(|channel| !channel.data.is_empty()));
     let made = backend.watch.made;
     assert!(made <= LARGEST, "a buffer of {made} bytes was made; a card allows {LARGEST}");

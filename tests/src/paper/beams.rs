@@ -88,7 +88,7 @@ struct Timing {
 impl Timing {
     /// Times `frames` frames after one that is not counted; data that does not change stays on the backend.
     fn new(case: &Case, backend: &mut dyn Backend, frames: usize) -> Result<Self, Failure> {
-        let job = Job { scene: &case.scene, assets: &case.assets, request: case.request, refined: None };
+        let job = Job { scene: &case.scene, assets: &case.assets, request: case.request, chosen: None };
         let mut cache = Cache::default();
         let mut frame = || vitrum::frame(&job, &mut cache, backend, &mut |_| true);
         let caustics = caustics(&frame()?);

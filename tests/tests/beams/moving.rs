@@ -23,7 +23,7 @@ fn a_refitted_tree_makes_the_pictures_of_a_new_one() -> Result<(), Failure> {
         for seconds in MOMENTS {
             case.scene.mesh[0].time = Some(seconds);
             case.assets.subject = Subject::Mesh(meshes.at(&case.scene.mesh)?);
-            let job = Job { scene: &case.scene, assets: &case.assets, request: case.request, refined: None };
+            let job = Job { scene: &case.scene, assets: &case.assets, request: case.request, chosen: None };
             let refitted = vitrum::frame(&job, &mut cache, backend, &mut |_| true)?;
             case.assets = Assets::load(&case.scene, Path::new(""))?;
             let built = frames::render(&case, backend)?;

@@ -82,7 +82,7 @@ impl<'a> Thin<'a> {
         self.turn(from, through);
         let Case { scene, assets, request, .. } = &self.case;
         assert_eq!(Beams.exposures(scene, assets).len(), 1, "the film would not be the picture");
-        let job = Job { scene, assets, request: *request, refined: None };
+        let job = Job { scene, assets, request: *request, chosen: None };
         // The light's frame keeps its buffers: the next frame takes others.
         let mut first = Cache::default();
         let cache = if self.light.is_none() { &mut first } else { &mut self.cache };
@@ -103,7 +103,7 @@ impl<'a> Thin<'a> {
     /// As [`Self::look`], by a frame that traces its light itself.
     pub fn look_afresh(&mut self, from: DVec3, through: DVec3) -> Result<Look, Failure> {
         self.turn(from, through);
-        let job = Job { scene: &self.case.scene, assets: &self.case.assets, request: self.case.request, refined: None };
+        let job = Job { scene: &self.case.scene, assets: &self.case.assets, request: self.case.request, chosen: None };
         let frame = vitrum::frame(&job, &mut Cache::default(), self.backend, &mut |_| true)?;
         let channel = |output: &str, name: &str| frame.channel(output, name).expect("frames of beams have the output");
         Ok(Look::new(|output, _| ["R", "G", "B"].map(|name| f64::from(channel(output, name)[MIDDLE]))))

@@ -172,8 +172,13 @@ fn streamed_volumes_are_cropped_and_projected_alike() {
     for mut backend in backends() {
         for scene in &scenes {
             let [held, streamed] = [Sweep::prepare, Sweep::prepare_streamed].map(|prepare| {
-                let sweep =
-                    prepare(scene, &assets, OutputRequest { light: false }, backend.as_mut()).expect("it renders");
+                let sweep = prepare(
+                    scene,
+                    &assets,
+                    OutputRequest { light: false, ..OutputRequest::default() },
+                    backend.as_mut(),
+                )
+                .expect("it renders");
                 sweep.run(backend.as_mut(), &mut |_| true).expect("it runs");
                 sweep.film(backend.as_mut()).expect("it is there")
             });

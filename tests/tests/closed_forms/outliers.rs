@@ -57,7 +57,8 @@ fn everything([low, high]: [f32; 2]) -> Scene {
 fn film(scene: &Scene, subject: Subject, streamed: bool, backend: &mut dyn Backend) -> Vec<f32> {
     let assets = Assets::from(subject);
     let prepare = if streamed { Sweep::prepare_streamed } else { Sweep::prepare };
-    let sweep = prepare(scene, &assets, OutputRequest { light: false }, backend).expect("the scene renders");
+    let sweep = prepare(scene, &assets, OutputRequest { light: false, ..OutputRequest::default() }, backend)
+        .expect("the scene renders");
     sweep.run(backend, &mut |_| true).expect("the passes run");
     sweep.film(backend).expect("the film is read")
 }

@@ -231,7 +231,7 @@ fn sessions_follow_the_light() -> Result<(), Failure> {
         let mut cache = Cache::default();
         for (case, fresh) in cases.iter().zip(&fresh) {
             let job =
-                Job { scene: &case.scene, assets: &cases[0].assets, request: OutputRequest::default(), refined: None };
+                Job { scene: &case.scene, assets: &cases[0].assets, request: OutputRequest::default(), chosen: None };
             let frame = vitrum::frame(&job, &mut cache, backend, &mut |_| true)?;
             assert!(color(&frame) == *fresh, "{}", case.name);
         }

@@ -15,7 +15,7 @@ use vitrum::composition::{Composed, Composition, Quality, Side};
 use vitrum::io::{WriteOptions, check_writable, write_picture_with};
 use vitrum::preset::PresetError;
 use vitrum::scene::Scene;
-use vitrum::{Assets, OutputRequest, preset};
+use vitrum::{Assets, Layers, OutputRequest, preset};
 use vitrum_annotations::{Tile, contact_sheet};
 
 /// Pixels across and down of a small picture.
@@ -91,11 +91,12 @@ pub fn run(input: &str, arguments: &SheetArguments) -> Result<ExitCode, Failure>
     let mut tiles = Vec::new();
     for (index, (name, scene)) in (0..).zip(&scenes) {
         let figure = Figure::new(scene, &assets)?;
-        let frame = renderer.render(scene, OutputRequest { light: false }, &mut |progress| {
+        let request = OutputRequest { light: false, layers: Layers::color(), ..OutputRequest::default() };
+        let frame = renderer.render(scene, request, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()
         })?;
-        tiles.push(Tile { label: (*name).to_owned(), picture: figure.screen_picture(&frame, true)? });
+        tiles.push(Tile { label: (*name).to_owned(), picture: figure.screen_picture(frame, true)? });
     }
     interrupt::check()?;
     let sheet = contact_sheet(input, &tiles, COLUMNS)?;

@@ -2,12 +2,15 @@
 
 use std::io;
 
+use exr::block::lines::LineRefMut;
+use exr::image::write::samples::{SamplesWriter, WritableSamples};
+use exr::math::RoundingMode;
 use exr::meta::MetaData;
-use exr::meta::attribute::{AttributeValue, Text};
-use exr::meta::header::standard_names;
+use exr::meta::attribute::{AttributeValue, LevelMode, SampleType, Text};
+use exr::meta::header::{Header, standard_names};
 use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, ImageAttributes, IntegerBounds, LayerAttributes,
-    ReadChannels, ReadLayers, Vec2, WritableImage, read,
+    AnyChannel, AnyChannels, Encoding, Image, ImageAttributes, IntegerBounds, LayerAttributes, ReadChannels,
+    ReadLayers, Vec2, WritableImage, read,
 };
 
 use super::options::Metadata;
@@ -35,11 +38,40 @@ pub(super) fn encode(sink: &mut dyn Sink, picture: &Picture, metadata: &Metadata
     })
 }
 
-fn encoded_layer(size: Vec2<usize>, layer: &Layer) -> exr::image::Layer<AnyChannels<FlatSamples>> {
-    let channels = layer
-        .channels
-        .iter()
-        .map(|channel| AnyChannel::new(text(&channel.name), FlatSamples::F32(channel.data.clone())));
+/// The values of a channel, where they are.
+struct Plane<'a>(&'a [f32]);
+
+/// Those of a picture so many pixels wide.
+struct PlaneWriter<'a>(&'a [f32], usize);
+
+impl<'slf> WritableSamples<'slf> for Plane<'_> {
+    type Writer = PlaneWriter<'slf>;
+
+    fn sample_type(&self) -> SampleType {
+        SampleType::F32
+    }
+
+    fn infer_level_modes(&self) -> (LevelMode, RoundingMode) {
+        (LevelMode::Singular, RoundingMode::Down)
+    }
+
+    fn create_samples_writer(&'slf self, header: &Header) -> PlaneWriter<'slf> {
+        PlaneWriter(self.0, header.layer_size.width())
+    }
+}
+
+impl SamplesWriter for PlaneWriter<'_> {
+    fn extract_line(&self, line: LineRefMut<'_>) {
+        let Vec2(x, y) = line.location.position;
+        let start = y * self.1 + x;
+        let values = &self.0[start..start + line.location.sample_count];
+        // A line has the bytes of its samples, and memory takes them all.
+        let _ = line.write_samples_from_slice(values);
+    }
+}
+
+fn encoded_layer(size: Vec2<usize>, layer: &Layer) -> exr::image::Layer<AnyChannels<Plane<'_>>> {
+    let channels = layer.channels.iter().map(|channel| AnyChannel::new(text(&channel.name), Plane(&channel.data)));
     exr::image::Layer::new(
         size,
         LayerAttributes::named(text(&layer.name)),

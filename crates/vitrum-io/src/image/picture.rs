@@ -123,21 +123,32 @@ impl Layer {
         }
     }
 
-    /// The first layer's channels pixel by pixel, gray or colour, each through `color` and an
-    /// alpha at the end through `alpha`; and how many channels that makes, 1 to 4.
-    pub(super) fn interleave<T>(&self, color: impl Fn(f32) -> T, alpha: impl Fn(f32) -> T) -> (Vec<T>, usize) {
+    /// How many channels a pixel has as [`Self::interleave`] writes it: 1 to 4.
+    pub(super) fn interleaved_channels(&self) -> usize {
+        let colors = match self.samples() {
+            Samples::Color(planes) => planes.len(),
+            Samples::Gray(_) => 1,
+        };
+        colors + usize::from(self.channel("A").is_some())
+    }
+
+    /// The layer's channels of some pixels, pixel by pixel, gray or colour, each through `color` and an alpha at the end through `alpha`, behind what `out`
+    /// holds.
+    pub(super) fn interleave<T>(
+        &self,
+        pixels: std::ops::Range<usize>,
+        color: impl Fn(f32) -> T,
+        alpha: impl Fn(f32) -> T,
+        out: &mut Vec<T>,
+    ) {
         let planes = match self.samples() {
             Samples::Color(planes) => planes.to_vec(),
             Samples::Gray(plane) => vec![plane],
         };
         let coverage = self.channel("A");
-        let channels = planes.len() + usize::from(coverage.is_some());
-        let pixels = planes.first().map_or(0, |plane| plane.len());
-        let mut out = Vec::with_capacity(pixels * channels);
-        for pixel in 0..pixels {
+        for pixel in pixels {
             out.extend(planes.iter().filter_map(|plane| plane.get(pixel)).map(|&v| color(v)));
             out.extend(coverage.and_then(|plane| plane.get(pixel)).map(|&v| alpha(v)));
         }
-        (out, channels)
     }
 }

@@ -14,10 +14,19 @@ impl Frame {
     /// Puts a colour behind the picture, which was rendered without an environment behind: in linear light, through the colour of clear matter.
     pub(crate) fn before(mut self, paint: Paint) -> Self {
         let behind = paint.linear();
-        let tints = self.layers.iter().find(|layer| layer.name == "transmittance").cloned();
-        let tints = tints.as_ref().and_then(|layer| planes(layer, ["R", "G", "B"]));
-        let Some(color) = self.layers.iter_mut().find(|layer| layer.name == "color") else { return self };
-        let Some(alpha) = color.channel("A").map(<[f32]>::to_vec) else { return self };
+        let Some(at) = self.layers.iter().position(|layer| layer.name == "color") else { return self };
+        // Out of the list for a while, so that the others can be read.
+        let mut color = self.layers.remove(at);
+        self.put_behind(&mut color, behind);
+        self.layers.insert(at, color);
+        self
+    }
+
+    /// As [`Self::before`], of the layer `color`.
+    fn put_behind(&self, color: &mut Layer, behind: [f32; 3]) {
+        let tints = self.layers.iter().find(|layer| layer.name == "transmittance");
+        let tints = tints.and_then(|layer| planes(layer, ["R", "G", "B"]));
+        let Some(alpha) = color.channel("A").map(<[f32]>::to_vec) else { return };
         let coverage = |pixel: usize| alpha[pixel].clamp(0.0, 1.0);
         for channel in &mut color.channels {
             let Some(index) = ["R", "G", "B"].iter().position(|name| *name == channel.name) else {
@@ -33,7 +42,6 @@ impl Frame {
                 *value += (1.0 - coverage(pixel)) * tint * behind[index];
             }
         }
-        self
     }
 
     /// The picture's colour as formats of the screen take it: with a straight alpha. Light that outshines what its pixel covers, such as a caustic or a
@@ -41,22 +49,33 @@ impl Frame {
     #[must_use]
     pub fn straight_picture(&self) -> Picture {
         let layers = self.layers.first().cloned().into_iter().collect();
-        let mut picture = Picture { width: self.width, height: self.height, layers };
-        let Some(layer) = picture.layers.first_mut() else { return picture };
-        let Some([r, g, b, a]) = planes(layer, ["R", "G", "B", "A"]) else { return picture };
-        let raised = |pixel: usize| a[pixel].max(r[pixel].max(g[pixel]).max(b[pixel])).clamp(0.0, 1.0);
-        let alpha: Vec<f32> = (0..a.len()).map(|pixel| if a[pixel] < 1.0 { raised(pixel) } else { 1.0 }).collect();
-        for channel in &mut layer.channels {
-            if channel.name == "A" {
-                channel.data.copy_from_slice(&alpha);
-                continue;
-            }
-            for (value, &alpha) in channel.data.iter_mut().zip(&alpha) {
-                *value = if alpha > 0.0 { *value / alpha } else { 0.0 };
-            }
-        }
-        picture
+        straight(Picture { width: self.width, height: self.height, layers })
     }
+
+    /// As [`Self::straight_picture`], without a copy.
+    #[must_use]
+    pub fn into_straight_picture(mut self) -> Picture {
+        self.layers.truncate(1);
+        straight(self.into_picture())
+    }
+}
+
+/// The picture's first layer with a straight alpha.
+fn straight(mut picture: Picture) -> Picture {
+    let Some(layer) = picture.layers.first_mut() else { return picture };
+    let Some([r, g, b, a]) = planes(layer, ["R", "G", "B", "A"]) else { return picture };
+    let raised = |pixel: usize| a[pixel].max(r[pixel].max(g[pixel]).max(b[pixel])).clamp(0.0, 1.0);
+    let alpha: Vec<f32> = (0..a.len()).map(|pixel| if a[pixel] < 1.0 { raised(pixel) } else { 1.0 }).collect();
+    for channel in &mut layer.channels {
+        if channel.name == "A" {
+            channel.data.copy_from_slice(&alpha);
+            continue;
+        }
+        for (value, &alpha) in channel.data.iter_mut().zip(&alpha) {
+            *value = if alpha > 0.0 { *value / alpha } else { 0.0 };
+        }
+    }
+    picture
 }
 
 #[cfg(test)]

@@ -38,6 +38,24 @@ impl Frame {
         Picture { width: self.width, height: self.height, layers: self.layers.clone() }
     }
 
+    /// As [`Self::picture`], without a copy.
+    #[must_use]
+    pub fn into_picture(self) -> Picture {
+        Picture { width: self.width, height: self.height, layers: self.layers }
+    }
+
+    /// Hands an output over as a picture of its own, without a copy, while `use_it` runs; `None` as of [`Self::aov`].
+    pub fn lend_aov<T>(&mut self, name: &str, use_it: impl FnOnce(&Picture) -> T) -> Option<T> {
+        if name == "light" {
+            return self.light.as_ref().map(use_it);
+        }
+        let at = self.layers.iter().position(|layer| layer.name == name)?;
+        let mut picture = Picture { width: self.width, height: self.height, layers: vec![self.layers.remove(at)] };
+        let outcome = use_it(&picture);
+        self.layers.splice(at..at, picture.layers.drain(..));
+        Some(outcome)
+    }
+
     /// Writes the picture to a file, in the format of its extension; formats with layers get all outputs of the picture's size.
     ///
     /// # Errors

@@ -9,10 +9,10 @@ mod refinement;
 mod resolve;
 mod statistics;
 
-pub(crate) use accumulator::Accumulator;
+pub(crate) use accumulator::{Accumulator, Places};
 pub use frame::Frame;
 pub use output::Output;
 pub(crate) use output::{PixelFilter, rgb, rgba, xyz};
-pub(crate) use refinement::{Rendered, index_of, replace};
+pub(crate) use refinement::{Costly, Rendered};
 pub(crate) use resolve::RayRecords;
 pub use statistics::{FluxShares, Statistics};

@@ -1,6 +1,7 @@
 //! Resolution of the film: from the records of several rays a pixel to one value a pixel.
 
 use super::output::{Output, PixelFilter};
+use rayon::prelude::*;
 use vitrum_io::{Channel, Layer};
 
 /// Planar records of `edge` × `edge` rays for each pixel.
@@ -47,6 +48,7 @@ impl RayRecords<'_> {
             }
         };
         (0..width * height)
+            .into_par_iter()
             .map(|pixel| {
                 let (x, y) = (pixel % width * edge, pixel / width * edge);
                 let rays = (0..edge).flat_map(|dy| (0..edge).map(move |dx| (y + dy) * across + x + dx));

@@ -77,11 +77,15 @@ impl Statistics {
             width: scene.film.width,
             height: scene.film.height,
             kernels: backend.take_kernel_times(),
-            peak_rss_bytes: peak_rss_bytes(),
             gpu_bytes: backend.device_bytes(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         }
+    }
+
+    /// With the most memory that the process had so far.
+    pub(crate) fn with_peak(self) -> Self {
+        Self { peak_rss_bytes: peak_rss_bytes(), ..self }
     }
 }
 

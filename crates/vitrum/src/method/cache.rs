@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::framing::{self, PointsKey};
 use crate::preset::{self, Noise};
 use crate::scene::Scene;
-use crate::shown::Changes;
+use crate::shown::{Changes, Fineness, on_finer};
 use crate::subject::Subject;
 use glam::DVec3;
 use std::any::{Any, TypeId};
@@ -22,6 +22,7 @@ pub struct Cache {
     noise: Memo<(), Option<Noise>>,
     shown: Memo<Changes, Option<Subject>>,
     points: Memo<(Changes, PointsKey), Vec<DVec3>>,
+    finer: Memo<(Changes, Fineness), Subject>,
 }
 
 impl Cache {
@@ -42,9 +43,32 @@ impl Cache {
         let changes = Changes::of(scene, volumes, || *self.noise.of((), || preset::noise(volumes.bending())));
         if !self.shown.is_of(&changes) {
             self.entries.clear();
+            self.finer = Memo::default();
         }
         let subject = self.shown.get(changes.clone(), || changes.made(assets))?;
         Ok(subject.clone().map(|subject| Assets { subject, ..assets.clone() }))
+    }
+
+    /// The scene and its data on a finer grid, where its interpolation is cubic; `assets` are those that [`Self::shown`] has given. Data of other grids is
+    /// dropped.
+    ///
+    /// # Errors
+    /// Where the values are labels, or the memory does not suffice.
+    pub(crate) fn finer(&mut self, scene: &Scene, assets: &Assets) -> Result<Option<(Scene, Assets)>, Error> {
+        let fineness = assets.subject.volumes().and_then(|volumes| Fineness::of(scene, volumes));
+        let (Some(fineness), Some(volume)) = (fineness, assets.subject.volume()) else {
+            if self.finer.key().is_some() {
+                self.entries.clear();
+                self.finer = Memo::default();
+            }
+            return Ok(None);
+        };
+        let key = (self.shown.key().unwrap_or_default(), fineness);
+        if !self.finer.is_of(&key) {
+            self.entries.clear();
+        }
+        let subject = self.finer.get(key, || fineness.made(&assets.subject))?.clone();
+        Ok(Some((on_finer(scene, volume), Assets { subject, ..assets.clone() })))
     }
 
     /// The scene with the camera that its picture is taken with, where that is another; `assets` are those that [`Self::shown`] has given.

@@ -26,6 +26,7 @@ use crate::film::{Output, Statistics};
 use crate::request::{OutputRequest, Progress};
 use crate::scene::{MethodName, Scene};
 use vitrum_io::Picture;
+use vitrum_kernels::sweep::place::word;
 
 /// Every method.
 pub static ALL: [&dyn Method; 3] = [&sweep::PlaneSweep, &voxels::MeshRays, &beams::Beams];
@@ -49,8 +50,18 @@ pub trait Method: Sync {
         lights::exposures(scene, assets.environment.as_deref())
     }
 
-    /// Whether single pixels can be rendered anew with more rays ([`Job::refined`]).
+    /// Whether single pixels can be rendered anew with more rays ([`ChosenRays::Refined`]).
     fn refines(&self) -> bool {
+        false
+    }
+
+    /// Whether a picture of a scene can be rendered in parts ([`ChosenRays::Tile`]), one after another, without doing anything twice.
+    fn divides(&self, _scene: &Scene) -> bool {
+        false
+    }
+
+    /// Whether ray number `ray` of planar records took much longer than a usual one.
+    fn is_costly(&self, _records: &[f32], _ray: usize) -> bool {
         false
     }
 
@@ -117,8 +128,36 @@ pub struct Job<'a> {
     pub assets: &'a Assets,
     /// The requested outputs.
     pub request: OutputRequest,
-    /// The pixels that the exposure refines; `None` for all pixels, of a ray or as many as the scene says.
-    pub refined: Option<RefinedPixels<'a>>,
+    /// The rays that are rendered; `None` for all that the scene says.
+    pub chosen: Option<ChosenRays<'a>>,
+}
+
+/// Some of the rays of a picture.
+#[derive(Debug, Clone, Copy)]
+pub enum ChosenRays<'a> {
+    /// Those of some pixels, more of them than the scene says.
+    Refined(RefinedPixels<'a>),
+    /// Those of a part of the picture.
+    Tile(RayTile),
+}
+
+/// A rectangle of a picture's rays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RayTile {
+    /// The column and the row of its first ray.
+    pub first: [u32; 2],
+    /// Rays across and down.
+    pub size: [u32; 2],
+}
+
+impl RayTile {
+    /// The places of its rays on the picture, row by row, each by [`word`](vitrum_kernels::sweep::place::word).
+    #[must_use]
+    pub fn words(self) -> Vec<u32> {
+        let Self { first, size } = self;
+        let row = |y: u32| (0..size[0]).map(move |x| word(first[0] + x, first[1] + y));
+        (0..size[1]).flat_map(row).collect()
+    }
 }
 
 /// The pixels of a picture that are rendered anew with more rays.
@@ -193,16 +232,14 @@ pub trait PreparedFrame {
         None
     }
 
-    /// Fills in the statistics that are the method's own; `film` has the finished records, and buffers are as the passes have left them.
+    /// Adds what the finished records of some rays tell to the statistics.
+    fn count(&self, _film: &[f32], _statistics: &mut Statistics) {}
+
+    /// Fills in the statistics that are the method's own; buffers are as the passes have left them.
     ///
     /// # Errors
     /// As [`Backend::read`].
-    fn statistics(
-        &self,
-        film: &[f32],
-        backend: &mut dyn Backend,
-        statistics: &mut Statistics,
-    ) -> Result<(), BackendError>;
+    fn statistics(&self, backend: &mut dyn Backend, statistics: &mut Statistics) -> Result<(), BackendError>;
 }
 
 #[cfg(test)]

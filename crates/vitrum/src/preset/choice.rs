@@ -33,13 +33,22 @@ const FINE: u32 = 128;
 /// Distance of slices over that of voxels within them, up to which surfaces show no slices.
 const EVEN: f32 = 2.0;
 
+/// Whether a volume's values are labels of parts by its file's word.
+pub(crate) fn are_named_labels(volume: &Volume) -> bool {
+    volume.source.labels().is_some_and(|labels| labels.list.len() > 1)
+}
+
+/// Whether a volume's values are labels of parts: by its file's word, or by the values themselves.
+pub(crate) fn holds_labels(volume: &Volume) -> bool {
+    are_named_labels(volume) || are_labels(volume)
+}
+
 /// The preset that shows most of a volume's contents without a fault: fog, unless the volume is made of clean, compact, finely sampled bodies, whose
 /// surfaces are then lit. Fog hides noise and steps between slices, which surfaces and clear matter show; labels have colours of their own.
 #[must_use]
 pub fn choose(volume: &Volume) -> Choice {
     let haze = |reason: String| Choice { name: "haze", reason };
-    let named = volume.source.labels().is_some_and(|labels| labels.list.len() > 1);
-    if (named || are_labels(volume)) && labels::parts(volume).is_some() {
+    if holds_labels(volume) && labels::parts(volume).is_some() {
         return Choice { name: "labels", reason: "the values are labels, and no measurements".to_owned() };
     }
     let subject = Subject::above(volume, None);

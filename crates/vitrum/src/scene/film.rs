@@ -4,7 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use vitrum_kernels::abi::record::{path, ray};
 
-/// Size and exposure of the picture: at most 67108863 viewing rays, `width` · `height` · `supersampling`².
+/// Size and exposure of the picture. The methods `voxels` and `beams`, and `sweep.light = "texels"`, render at most 67108863 viewing rays,
+/// `width` · `height` · `supersampling`²; with light carried forward the method `sweep` renders any number of them, part by part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Film {
@@ -30,7 +31,7 @@ pub struct Film {
 }
 
 impl Film {
-    /// Largest number of viewing rays of a picture, `width` · `height` · `supersampling`²: kernels index the records of rays by a
+    /// Largest number of viewing rays of a picture in one part, `width` · `height` · `supersampling`²: kernels index the records of rays by a
     /// signed number of 32 bits.
     pub const MOST_RAYS: u64 = i32::MAX as u64 / if ray::SIZE > path::SIZE { ray::SIZE } else { path::SIZE } as u64;
 }

@@ -63,6 +63,9 @@ pub enum Interpolation {
     /// Trilinear, between the eight voxels around a point.
     #[default]
     Linear,
+    /// The cubic spline through the voxels' values along each axis, without swings at edges: for volumes whose voxels are much larger than pixels. A finer
+    /// grid is made for it once, so that memory grows eightfold at least.
+    Cubic,
     /// A point has the value of the voxel in which it lies: for labels of parts, between which no other value means anything.
     Nearest,
 }

@@ -1,17 +1,19 @@
-//! The volumes that a picture is made of, where they are not those that were read: without noise, without specks, without what a mask hides.
+//! The volumes that a picture is made of, where they are not those that were read: without noise, without specks, without what a mask hides, on a finer grid.
 
 mod clear;
+mod cubic;
 mod mask;
 pub(crate) mod runs;
 mod slab;
 mod smoothing;
 mod specks;
+mod spline;
 pub(crate) mod visible;
 
 use crate::assets::Assets;
 use crate::error::Error;
 use crate::preset::{self, Landmarks, Noise};
-use crate::scene::Scene;
+use crate::scene::{Interpolation, Scene};
 use crate::subject::{Subject, Volumes};
 use crate::unrenderable::Unrenderable;
 use clear::clear_ranges;
@@ -155,4 +157,45 @@ pub(crate) fn shown(scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Er
     let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
     let changes = Changes::of(scene, volumes, || preset::noise(volumes.bending()));
     Ok(changes.made(assets)?.map(|subject| Assets { subject, ..assets.clone() }))
+}
+
+/// How many times finer the grids of the shown volume and of the one that bends light become.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fineness([cubic::Factors; 2]);
+
+impl Fineness {
+    /// The fineness that a scene's picture asks for; `None` where its interpolation is not cubic.
+    pub(crate) fn of(scene: &Scene, volumes: Volumes<'_>) -> Option<Self> {
+        let is_cubic = scene.volume.interpolation == Interpolation::Cubic;
+        is_cubic.then(|| Self([volumes.shown, volumes.bending()].map(|volume| cubic::factors(scene, volume))))
+    }
+
+    /// The subject on those grids.
+    ///
+    /// # Errors
+    /// [`Unrenderable::CubicLabels`] where the values are labels, which have nothing between them; where the memory does not suffice.
+    pub(crate) fn made(self, subject: &Subject) -> Result<Subject, Error> {
+        let Self([shown_factors, ior_factors]) = self;
+        let finer = |volume: &Volume, factors| {
+            if preset::holds_labels(volume) {
+                return Err(Unrenderable::CubicLabels { name: volume.name.clone() }.into());
+            }
+            cubic::refined(volume, factors).map(Arc::new)
+        };
+        Ok(match subject {
+            Subject::Mesh(_) => subject.clone(),
+            Subject::Volume(volume) => Subject::Volume(finer(volume, shown_factors)?),
+            Subject::Volumes { shown, ior } => {
+                Subject::Volumes { shown: finer(shown, shown_factors)?, ior: finer(ior, ior_factors)? }
+            }
+        })
+    }
+}
+
+/// The scene of `volume` for the same volume on a finer grid: opacities stay what they were. Planes are nearer to one another, as a cubic field bends
+/// between them.
+pub(crate) fn on_finer(scene: &Scene, volume: &Volume) -> Scene {
+    let mut scene = scene.clone();
+    scene.transfer.reference_length = Some(scene.transfer.reference_length_in(volume));
+    scene
 }

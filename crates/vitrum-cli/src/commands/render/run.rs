@@ -1,6 +1,7 @@
 //! The course of a render: check, read, render, write.
 
 use super::Arguments;
+use super::aov::AovRequest;
 use super::write::{check_annotations, check_names, check_outputs, write_outputs};
 use crate::failure::Failure;
 use crate::figure::{Figure, check_background};
@@ -9,7 +10,7 @@ use crate::{faster, interrupt, output};
 use std::process::ExitCode;
 use vitrum::composition::Composed;
 use vitrum::method::voxels::bodies;
-use vitrum::{Frame, OutputRequest, Renderer, Statistics};
+use vitrum::{Frame, Layers, OutputRequest, Renderer, Statistics};
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     interrupt::listen(arguments.timeout);
@@ -27,31 +28,37 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut renderer = arguments.device.renderer(&composed.assets, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &composed, &mut renderer)?;
     interrupt::check()?;
-    write_outputs(arguments, &composed.scene, &frame, &figure)?;
+    let statistics = frame.statistics.clone();
+    write_outputs(arguments, &composed.scene, frame, &figure)?;
     if !arguments.quiet {
         figure.tell(&arguments.output);
-        warn_of_holes(arguments, &composed, &frame)?;
-        eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
+        warn_of_holes(arguments, &composed, &statistics)?;
+        eprintln!("{}: {}", arguments.output.display(), summary(&statistics));
     }
     if arguments.json {
-        output::print_json(&serde_json::to_value(&frame.statistics).unwrap_or_default())?;
+        output::print_json(&serde_json::to_value(&statistics).unwrap_or_default())?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
 /// Says whether clear bodies of a mesh have holes.
-fn warn_of_holes(arguments: &Arguments, composed: &Composed, frame: &Frame) -> Result<(), Failure> {
+fn warn_of_holes(arguments: &Arguments, composed: &Composed, statistics: &Statistics) -> Result<(), Failure> {
     let Some(mesh) = composed.assets.subject.mesh() else { return Ok(()) };
     let bodies = bodies(mesh, &composed.scene.material)?;
     let clear = bodies.iter().filter(|body| !body.opaque);
     let edges = clear.map(|body| body.mesh.topology().unpaired_edges).sum();
-    output::warn_of_holes(&arguments.scene.input, edges, frame.statistics.open_rows);
+    output::warn_of_holes(&arguments.scene.input, edges, statistics.open_rows);
     Ok(())
 }
 
 /// The last of `--frames` frames, with the times of all.
 fn render(arguments: &Arguments, composed: &Composed, renderer: &mut Renderer) -> Result<Frame, Failure> {
-    let request = OutputRequest { light: arguments.aov.iter().any(|aov| aov.name == "light") };
+    let named = |layers: Layers, aov: &AovRequest| layers.with(aov.name);
+    let request = OutputRequest {
+        light: arguments.aov.iter().any(|aov| aov.name == "light"),
+        layers: arguments.aov.iter().fold(Figure::layers(&arguments.output), named),
+        ..OutputRequest::default()
+    };
     let advice = faster::advice(&composed.scene, renderer.backend().name());
     let bar = Bar::new(arguments.frames, arguments.quiet).warning_of_long_work(arguments.quiet, advice);
     let mut frame_ms = Vec::new();

@@ -55,28 +55,29 @@ pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> 
 }
 
 /// Writes the picture, the named outputs and the statistics: all of them, or none.
-pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame, figure: &Figure) -> Result<(), Failure> {
+pub fn write_outputs(arguments: &Arguments, scene: &Scene, mut frame: Frame, figure: &Figure) -> Result<(), Failure> {
     let metadata = metadata(scene, &frame.statistics)?;
     let options = arguments.bits.options();
     let stage = |file: &Path, picture: &Picture| {
         stage_picture_with(file, picture, &metadata, &options).map_err(|error| Failure::output(&error))
     };
-    // Formats without layers write the first one, the color.
-    let mut staged = vec![stage(&arguments.output, &figure.picture(frame, &arguments.output)?)?];
+    let mut staged = Vec::new();
     if let Some(file) = &arguments.annotations {
         staged.push(figure.stage_svg(file)?);
     }
     for aov in &arguments.aov {
-        let picture = frame.aov(aov.name).ok_or_else(|| {
+        let missing = || {
             let message = format!("the frame has no output `{}`", aov.name);
             Failure::new(Status::WrongUse, message, "leave it out")
-        })?;
-        staged.push(stage(&aov.file, &picture)?);
+        };
+        staged.push(frame.lend_aov(aov.name, |picture| stage(&aov.file, picture)).ok_or_else(missing)??);
     }
     if let Some(file) = &arguments.stats {
         let text = output::json(&serde_json::to_value(&frame.statistics).unwrap_or_default());
         staged.push(stage_text(file, &text).map_err(|error| Failure::output(&error))?);
     }
+    // Formats without layers write the first one, the color. Large pictures are in memory once.
+    staged.push(stage(&arguments.output, &figure.picture(frame, &arguments.output)?)?);
     staged.into_iter().try_for_each(Staged::put).map_err(|error| Failure::output(&error))
 }
 

@@ -22,7 +22,7 @@ use std::process::ExitCode;
 use target::Target;
 use timeline::Timeline;
 use vitrum::composition::Composed;
-use vitrum::{MovingMeshes, OutputRequest, framed_all_round};
+use vitrum::{Layers, MovingMeshes, OutputRequest, framed_all_round};
 
 /// Render an animation of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
@@ -122,18 +122,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         if timeline.moves_meshes() {
             renderer.deform(meshes.at(&scene.mesh)?);
         }
-        let frame = renderer.render(&scene, OutputRequest { light: false }, &mut |progress| {
+        let request = OutputRequest { light: false, layers: Layers::color(), ..OutputRequest::default() };
+        let frame = renderer.render(&scene, request, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()
         })?;
         interrupt::check()?;
         let figure = Figure::new(&scene, renderer.assets())?;
-        let picture = figure.screen_picture(&frame, target.is_opaque())?;
+        let of_picture = frame.statistics.clone();
+        let picture = figure.screen_picture(frame, target.is_opaque())?;
         target.add(index, &picture, &[record.mark(&scene)?])?;
         let mut of_frame = serde_json::json!({ "frame": index });
-        if let (Value::Object(of_frame), Ok(Value::Object(more))) =
-            (&mut of_frame, serde_json::to_value(&frame.statistics))
-        {
+        if let (Value::Object(of_frame), Ok(Value::Object(more))) = (&mut of_frame, serde_json::to_value(&of_picture)) {
             of_frame.extend(more);
         }
         statistics.push(of_frame);

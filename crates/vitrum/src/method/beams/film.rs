@@ -61,12 +61,7 @@ impl PreparedFrame for Frame {
         &self.film
     }
 
-    fn statistics(
-        &self,
-        _film: &[f32],
-        backend: &mut dyn Backend,
-        statistics: &mut Statistics,
-    ) -> Result<(), BackendError> {
+    fn statistics(&self, backend: &mut dyn Backend, statistics: &mut Statistics) -> Result<(), BackendError> {
         statistics.flux = flux(&self.pencils(backend)?);
         Ok(())
     }

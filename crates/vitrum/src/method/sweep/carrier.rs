@@ -3,6 +3,7 @@
 use super::uniforms::FramePlan;
 use crate::backend::{Backend, BackendError, Buffer, Pass};
 use crate::method::cache::{Label, Scratch};
+use vitrum_kernels::abi::sweep::SweepUniforms;
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// Transport of light from the first plane to the last, as passes.
@@ -92,14 +93,34 @@ impl FramePlan {
         plane: u32,
         buffers: &[&Buffer],
     ) -> Pass {
+        self.pass_of(&self.block(size, window, mode, plane), kernel, (size, window), buffers)
+    }
+
+    /// A pass of that uniform block.
+    fn pass_of(
+        &self,
+        block: &SweepUniforms,
+        kernel: &'static Kernel,
+        (size, window): ([u32; 2], Window),
+        buffers: &[&Buffer],
+    ) -> Pass {
         Pass {
             kernel,
-            uniforms: bytemuck::bytes_of(&self.block(size, window, mode, plane)).to_vec(),
+            uniforms: bytemuck::bytes_of(block).to_vec(),
             buffers: buffers.iter().copied().cloned().collect(),
             start: 0,
             width: size[0],
             height: size[1],
             window,
         }
+    }
+
+    /// The pass in which all viewing rays set out, each from its place on the picture.
+    pub(super) fn initialize(&self, buffers: &[&Buffer]) -> Pass {
+        let whole = Window::whole(self.rays[0], self.rays[1]);
+        // Of a tile each ray is listed, and yet rays beside one another are on the picture, too.
+        let block =
+            SweepUniforms { refined: self.listed(), ..self.block(self.rays, whole, 0, self.planes.first_visible) };
+        self.pass_of(&block, &kernels::sweep_initialize_rays, (self.rays, whole), buffers)
     }
 }

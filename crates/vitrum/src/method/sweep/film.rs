@@ -1,6 +1,7 @@
 //! The outputs of a sweep, and its light as a picture.
 
 use super::Sweep;
+use super::uniforms::SMALLEST_COSINE;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::film::{Output, PixelFilter, Statistics, rgb, rgba, xyz};
 use crate::method::PreparedFrame;
@@ -84,22 +85,32 @@ impl PreparedFrame for Sweep {
         (0..self.planes.count).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    fn statistics(
-        &self,
-        records: &[f32],
-        _backend: &mut dyn Backend,
-        statistics: &mut Statistics,
-    ) -> Result<(), BackendError> {
-        let rays = self.rays[0] as usize * self.rays[1] as usize;
-        let terminated = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
+    fn count(&self, records: &[f32], statistics: &mut Statistics) {
+        let rays = records.len() / film::SIZE;
+        let fates = &records[film::STATUS * rays..][..rays];
+        let terminated = fates.iter().filter(|&&fate| fate == status::TURNED).count() as u64;
+        statistics.rays_terminated = Some(statistics.rays_terminated.unwrap_or(0) + terminated);
+    }
+
+    fn statistics(&self, _backend: &mut dyn Backend, statistics: &mut Statistics) -> Result<(), BackendError> {
         statistics.planes = Some(self.planes.count);
         statistics.light_texels = Some(self.light_grid.size);
-        statistics.rays_terminated = Some(terminated as u64);
         if let Some(Voxelized { dimensions, open_rows }) = self.voxelized {
             (statistics.voxels, statistics.open_rows) = (Some(dimensions), Some(open_rows));
         }
         Ok(())
     }
+}
+
+/// Whether a ray was followed beyond the sweep, as far as its finished record tells: it was followed to no end or until it left the volume, or it goes
+/// where no plane takes a ray. One that ended on something without having gone back does not tell.
+pub(super) fn is_followed(records: &[f32], ray: usize) -> bool {
+    let rays = records.len() / film::SIZE;
+    let component = |component: usize| records[component * rays + ray];
+    let fate = component(film::STATUS);
+    // View space looks along -z.
+    let forward = -component(film::DIRECTION + 2);
+    fate == status::TURNED || fate == status::LEFT || forward < SMALLEST_COSINE
 }
 
 /// The volumes that were made of a mesh.

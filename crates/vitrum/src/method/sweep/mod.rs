@@ -37,11 +37,9 @@ use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
 use crate::error::Error;
 use crate::film::Output;
 use crate::method::voxels::bodies;
-use crate::method::{
-    Bounds, Cache, Exposure, Job, Method, PreparedFrame, RefinedPixels, Tools, View, lights, spectrum,
-};
+use crate::method::{Bounds, Cache, ChosenRays, Exposure, Job, Method, PreparedFrame, Tools, View, lights, spectrum};
 use crate::request::OutputRequest;
-use crate::scene::{MethodName, Scene};
+use crate::scene::{MethodName, Scene, Transport};
 use crate::subject::{Subject, Volumes};
 use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
@@ -95,23 +93,32 @@ impl Method for PlaneSweep {
         true
     }
 
+    /// Light on texels moves with the camera's planes, and would be carried for each part.
+    fn divides(&self, scene: &Scene) -> bool {
+        as_shown(scene).sweep.light == Transport::Forward
+    }
+
+    fn is_costly(&self, records: &[f32], ray: usize) -> bool {
+        film::is_followed(records, ray)
+    }
+
     fn prepare(
         &self,
         job: &Job<'_>,
         cache: &mut Cache,
         tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
-        let Job { scene, assets, request, refined } = *job;
+        let Job { scene, assets, request, chosen } = *job;
         let cache: &mut SweepCache = cache.of();
         let map = assets.environment.as_deref();
         if let Some(volumes) = assets.subject.volumes() {
-            return Ok(Box::new(Sweep::of(scene, volumes, map, (request, refined), &mut cache.frame, tools.backend)?));
+            return Ok(Box::new(Sweep::of(scene, volumes, map, (request, chosen), &mut cache.frame, tools.backend)?));
         }
         cache.mesh(scene, assets, tools)?;
         let SweepCache { mesh: Some(mesh), frame } = cache else { unreachable!("it was made above") };
         let (scene, volumes) = (mesh.scene(scene, assets)?, mesh.volumes());
         let voxelized = Some(Voxelized { dimensions: volumes.shown.dimensions, open_rows: mesh.open_rows });
-        let sweep = Sweep::of(&scene, volumes, map, (request, refined), frame, tools.backend)?;
+        let sweep = Sweep::of(&scene, volumes, map, (request, chosen), frame, tools.backend)?;
         Ok(Box::new(Sweep { voxelized, ..sweep }))
     }
 }
@@ -181,7 +188,7 @@ impl Sweep {
         scene: &Scene,
         volumes: Volumes<'_>,
         picture: Option<&vitrum_io::Picture>,
-        (request, refined): (OutputRequest, Option<RefinedPixels<'_>>),
+        (request, chosen): (OutputRequest, Option<ChosenRays<'_>>),
         cache: &mut FrameCache,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
@@ -191,18 +198,11 @@ impl Sweep {
         let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
         let mut plan = FramePlan::new(scene, volumes, tables, &pictures.environment, limits)?;
-        if let Some(refined) = refined {
-            plan.refine(refined);
+        if let Some(chosen) = chosen {
+            plan.choose(chosen);
         }
-        let (passes, buffers, carried) = passes::build(
-            scene,
-            volumes,
-            &mut plan,
-            (&uploaded, &pictures.buffer),
-            (request, refined),
-            cache,
-            backend,
-        )?;
+        let (passes, buffers, carried) =
+            passes::build(scene, volumes, &mut plan, (&uploaded, &pictures.buffer), (request, chosen), cache, backend)?;
         Ok(Self {
             passes,
             planes: plan.planes,

@@ -17,7 +17,7 @@ use super::wavefront::Wavefront;
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
-use crate::method::RefinedPixels;
+use crate::method::ChosenRays;
 use crate::request::OutputRequest;
 use crate::scene::{Removes, Scene};
 use crate::subject::Volumes;
@@ -38,7 +38,7 @@ pub(super) fn build(
     volumes: Volumes<'_>,
     plan: &mut FramePlan,
     (uploaded, map): (&UploadedVolumes, &Buffer),
-    (request, refined): (OutputRequest, Option<RefinedPixels<'_>>),
+    (request, chosen): (OutputRequest, Option<ChosenRays<'_>>),
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<(PassList, Buffers, Option<Arc<Carried>>), Error> {
@@ -83,7 +83,11 @@ pub(super) fn build(
         }
         None => None,
     };
-    let light_planes = wavefront.as_ref().map(|wavefront| wavefront.frame.planes);
+    let key = wavefront.as_ref().map(|wavefront| (tables_key(scene), wavefront.key()));
+    let known = cache.light.find(key.as_ref(), request.light);
+    let is_known = known.is_some();
+    // Light that is there needs no voxels again.
+    let light_planes = wavefront.as_ref().filter(|_| !is_known).map(|wavefront| wavefront.frame.planes);
     let offset = light_planes.map_or(0, |planes| planes.count);
     let (voxels, pools) = match &uploaded.voxels {
         Some(voxels) => (voxels.clone(), Vec::new()),
@@ -112,17 +116,12 @@ pub(super) fn build(
         }
         Some(_) => Box::new(Unoccluded::new(&mut buffers)?),
     };
-    // Streamed voxels are gone when the camera moves.
-    let keeps = !plan.format.is_paged();
-    let key = wavefront.as_ref().filter(|_| keeps).map(|wavefront| (tables_key(scene), wavefront.key()));
     let light_kept = &mut cache.light;
-    let known = light_kept.find(key.as_ref(), request.light);
-    let is_known = known.is_some();
     let carried = match (wavefront, known) {
         (_, Some(carried)) => Some(carried),
         (Some(wavefront), None) => {
             light_kept.make_room(wavefront.bytes());
-            let made = wavefront.buffers(&mut buffers, volumes.clone())?;
+            let made = wavefront.buffers(&mut buffers)?;
             let carried = Arc::new(Carried { wavefront, buffers: made, is_done: AtomicBool::new(false) });
             if let Some(key) = key {
                 light_kept.keep(key, Arc::clone(&carried));
@@ -135,15 +134,18 @@ pub(super) fn build(
     let looked_up =
         carried.as_ref().map_or_else(|| light.irradiance().clone(), |carried| carried.buffers.light.clone());
     let pixels = plan.rays;
-    // A picture's rays and those of its refined pixels take turns.
-    let turn = usize::from(refined.is_some());
+    // A picture's rays and those that are chosen take turns.
+    let turn = usize::from(chosen.is_some());
     let rays = buffers.planar(("rays", turn), pixels, ray::SIZE)?;
     let finished = buffers.planar(("film", turn), pixels, film::SIZE)?;
-    let places = match refined {
-        Some(refined) => {
+    let places = match chosen {
+        Some(ChosenRays::Refined(refined)) => {
             buffers.backend.create("refined pixels", Contents::Bytes(bytemuck::cast_slice(refined.pixels)))?
         }
-        None => buffers.planar("no refined pixels", [1, 1], 1)?,
+        Some(ChosenRays::Tile(tile)) => {
+            buffers.backend.create("rays of a part", Contents::Bytes(bytemuck::cast_slice(&tile.words())))?
+        }
+        None => buffers.planar("no chosen rays", [1, 1], 1)?,
     };
 
     let (ray_kernel, ray_mode) = match blend {
@@ -153,11 +155,11 @@ pub(super) fn build(
     // The first pass of each plane, of the wavefront's planes first.
     let (mut passes, mut starts) = match carried.as_deref() {
         Some(_) if is_known => (Vec::new(), Vec::new()),
-        Some(Carried { wavefront, buffers, .. }) => wavefront.passes(buffers, plan.format),
+        Some(Carried { wavefront, buffers, .. }) => wavefront.passes(buffers, &volumes, plan.format),
         None => (light.start(plan), Vec::new()),
     };
     let entries = carried.as_ref().filter(|_| !is_known).map(|carried| carried.wavefront.entries(&carried.buffers));
-    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &places, &rays]));
+    passes.push(plan.initialize(&[&looked_up, &places, &rays]));
     starts.push(if carried.is_some() { passes.len() } else { 0 });
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let light_seen = blend.is_none().then_some(&looked_up);

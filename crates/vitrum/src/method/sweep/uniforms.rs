@@ -14,7 +14,7 @@ use crate::method::view::environment::{EnvironmentMap, EnvironmentUniforms};
 use crate::method::view::light::{direction_of_light, position};
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
-use crate::method::{RefinedPixels, lights};
+use crate::method::{ChosenRays, RefinedPixels, lights};
 use crate::scene::{Gradient, Integrator, Intensity, Interpolation, Removes, Rgb, Scene, Transport};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
@@ -34,7 +34,7 @@ use vitrum_kernels::kernel::Window;
 
 /// The smallest v_z / |v| of a ray that is followed, at 89° to the planes' normal. One step of an even more oblique ray would cross
 /// dozens of voxels.
-const SMALLEST_COSINE: f32 = 0.017_452;
+pub(super) const SMALLEST_COSINE: f32 = 0.017_452;
 
 /// The plan of a frame: everything that is the same for all its planes.
 pub(super) struct FramePlan {
@@ -43,6 +43,8 @@ pub(super) struct FramePlan {
     pub(super) rays: [u32; 2],
     /// Rays along each side of a pixel, where all pixels have the same.
     supersampling: u32,
+    /// Rays along each side of the squares in which rays are listed; 0 where all rays are there.
+    listed: u32,
     pub(super) tables: Arc<Tables>,
     pub(super) format: Format,
     /// The longest step, in voxels, over which a brick's range holds, in each volume.
@@ -227,6 +229,7 @@ impl FramePlan {
             light_grid,
             rays,
             supersampling,
+            listed: 0,
             tables,
             format,
             sampling,
@@ -300,14 +303,31 @@ impl FramePlan {
         self.block.flags |= flag::FORWARD;
     }
 
+    /// Has some rays alone.
+    pub(super) fn choose(&mut self, chosen: ChosenRays<'_>) {
+        match chosen {
+            ChosenRays::Refined(refined) => self.refine(refined),
+            ChosenRays::Tile(tile) => {
+                self.rays = tile.size;
+                // A pixel for each ray.
+                self.listed = 1;
+            }
+        }
+        self.block.picture = Size { width: self.rays[0], height: self.rays[1] };
+    }
+
     /// Has the rays of some pixels alone.
-    pub(super) fn refine(&mut self, refined: RefinedPixels<'_>) {
+    fn refine(&mut self, refined: RefinedPixels<'_>) {
         let Size { width, height } = self.block.sensor;
         let sensor = [width, height].map(|rays| rays / self.supersampling * refined.edge);
         self.rays = refined.rays();
-        self.block.picture = Size { width: self.rays[0], height: self.rays[1] };
         self.block.sensor = Size { width: sensor[0], height: sensor[1] };
-        self.block.refined = refined.edge;
+        (self.listed, self.block.refined) = (refined.edge, refined.edge);
+    }
+
+    /// Rays along each side of the squares in which rays are listed; 0 where all rays are there.
+    pub(super) fn listed(&self) -> u32 {
+        self.listed
     }
 
     /// The uniform block of viewing rays, as far as it is the same for all planes.

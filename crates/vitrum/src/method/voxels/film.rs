@@ -64,15 +64,14 @@ impl PreparedFrame for Rays {
         Self::run(self, backend, &mut |done| progress(done as u64, total))
     }
 
-    fn statistics(
-        &self,
-        records: &[f32],
-        _backend: &mut dyn Backend,
-        statistics: &mut Statistics,
-    ) -> Result<(), BackendError> {
-        let rays = self.rays[0] as usize * self.rays[1] as usize;
-        let trapped = records[view::STATUS * rays..].iter().filter(|&&status| status == fate::TRAPPED).count();
-        statistics.rays_trapped = Some(trapped as u64);
+    fn count(&self, film: &[f32], statistics: &mut Statistics) {
+        let rays = film.len() / view::SIZE;
+        let fates = &film[view::STATUS * rays..][..rays];
+        let trapped = fates.iter().filter(|&&status| status == fate::TRAPPED).count() as u64;
+        statistics.rays_trapped = Some(statistics.rays_trapped.unwrap_or(0) + trapped);
+    }
+
+    fn statistics(&self, _backend: &mut dyn Backend, statistics: &mut Statistics) -> Result<(), BackendError> {
         statistics.voxels = self.voxels;
         statistics.open_rows = self.voxels.map(|_| self.open_rows);
         Ok(())

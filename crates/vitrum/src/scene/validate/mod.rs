@@ -29,7 +29,8 @@ impl Scene {
     /// # Errors
     ///
     /// Where a value is out of its documented range or not finite; where the method cannot do what a key asks for; where a direction has no
-    /// length, the eye stands on its target, the points of a transfer function are not sorted, or the film is beyond 2^28 rays.
+    /// length, the eye stands on its target, the points of a transfer function are not sorted, or a film that is rendered in one part has more than
+    /// [`Film::MOST_RAYS`](super::Film::MOST_RAYS) rays.
     pub fn check_settings(&self) -> Result<(), SceneError> {
         let check = || {
             check_table(Shape::scene(), &self.to_table()?, &mut Vec::new())?;

@@ -31,7 +31,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_sweep(&scene.sweep)?;
     check_beams(&scene.beams)?;
     figure::check(scene)?;
-    check_film(&scene.film)
+    check_film(scene)
 }
 
 /// Refuses settings of beams that exclude each other.
@@ -283,8 +283,12 @@ fn check_sorted(key: &str, values: impl Iterator<Item = f32>) -> Result<(), Faul
     Ok(())
 }
 
-fn check_film(film: &Film) -> Result<(), Fault> {
-    let Film { width, height, supersampling, .. } = *film;
+fn check_film(scene: &Scene) -> Result<(), Fault> {
+    let Film { width, height, supersampling, .. } = scene.film;
+    // Those pictures come in parts.
+    if scene.method == MethodName::Sweep && scene.sweep.light == Transport::Forward {
+        return Ok(());
+    }
     // Each factor has passed its range, so that the product fits easily.
     let rays = u64::from(width) * u64::from(height) * u64::from(supersampling).pow(2);
     if rays > Film::MOST_RAYS {

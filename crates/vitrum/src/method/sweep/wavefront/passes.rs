@@ -15,7 +15,6 @@ use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
 /// The buffers of a wavefront.
 pub(in crate::method::sweep) struct WavefrontBuffers {
-    volumes: VolumeBuffers,
     pub(super) nodes: Buffer,
     /// What blurred nodes have left, of two passes.
     pub(super) blurred: [Buffer; 2],
@@ -36,7 +35,6 @@ impl Wavefront {
     pub(in crate::method::sweep) fn buffers(
         &self,
         buffers: &mut BufferAllocator<'_>,
-        volumes: VolumeBuffers,
     ) -> Result<WavefrontBuffers, BackendError> {
         let [width, height] = self.frame.cells;
         let map = self.seen.map.size;
@@ -44,7 +42,6 @@ impl Wavefront {
         let bends = mode::bends(self.mode);
         let blurred = if self.seen.blur > 0.0 { [width + 1, height + 1] } else { [1, 1] };
         Ok(WavefrontBuffers {
-            volumes,
             nodes: buffers.planar("nodes", [width + 1, height + 1], node::SIZE)?,
             blurred: [
                 buffers.planar("blurred nodes", blurred, blurred::SIZE)?,
@@ -85,11 +82,12 @@ impl Wavefront {
     pub(in crate::method::sweep) fn passes(
         &self,
         buffers: &WavefrontBuffers,
+        volumes: &VolumeBuffers,
         format: Format,
     ) -> (Vec<Pass>, Vec<usize>) {
         let [width, height] = self.frame.cells;
         let nodes = [width + 1, height + 1];
-        let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &buffers.volumes;
+        let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = volumes;
         let none = Layer::default();
         let mut passes = vec![self.pass(&kernels::sweep_initialize_nodes, nodes, 0, 0, &none, &[&buffers.nodes])];
         let mut starts = Vec::new();
