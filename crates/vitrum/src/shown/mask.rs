@@ -177,7 +177,7 @@ pub(crate) fn masked(volume: &Volume, mask: &Volume, hidden: &Hidden, clear: &[[
     match &mut made.voxels {
         Voxels::U8(voxels) => hide(voxels, size, &seen, |voxel| f64::from(voxel).clamp(low.ceil(), high.floor()) as u8),
         Voxels::U16(voxels) => {
-            hide(voxels, size, &seen, |voxel| f64::from(voxel).clamp(low.ceil(), high.floor()) as u16)
+            hide(voxels, size, &seen, |voxel| f64::from(voxel).clamp(low.ceil(), high.floor()) as u16);
         }
         Voxels::F32(voxels) => hide(voxels, size, &seen, |voxel| inside(voxel, [low, high])),
     }

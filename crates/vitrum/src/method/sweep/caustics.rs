@@ -164,12 +164,12 @@ impl CausticsCache {
         let of_tables = (tables_key(scene), plan.reach, false, None);
         let occupancy = frame.occupancy.get(of_tables, || occupancy(&queries, tools.backend))?.buffer.clone();
         let tables = frame.tables_buffer(scene, &tables, tools.backend)?;
-        let buffers = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
+        let of_volumes = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
         // Of all that, the maps alone are kept.
         let mut scratch = Scratch::default();
         let mut allocator = BufferAllocator { plan: &plan, scratch: &mut scratch, backend: tools.backend };
-        let buffers = wavefront.buffers(&mut allocator, buffers)?;
-        let (passes, _) = wavefront.passes(&buffers, plan.format);
+        let buffers = wavefront.buffers(&mut allocator)?;
+        let (passes, _) = wavefront.passes(&buffers, &of_volumes, plan.format);
         let (progress, total) = (&mut *tools.progress, passes.len() as u64);
         let list = PassList { passes, ..PassList::default() };
         tools.backend.run(&list, &mut |done| progress(Progress { stage: Stage::Shadow, done: done as u64, total }))?;
