@@ -18,7 +18,7 @@ use crate::sweep::light::look_up::Light;
 use crate::sweep::light::wavefront::{edge, from_frame, in_frame, unrefracted_direction};
 use spirv_std::glam::Vec3;
 
-/// The length of each of the two ways before a point in dense matter along which its light is attenuated, over the distance of samples.
+/// How far nearer to the source the light inside dense matter is looked up, over the distance of samples.
 pub const NEARER: f32 = 1.5;
 /// The least optical depth along the light over the one along the viewing ray: light from behind falls towards the eye.
 const LEAST_RATIO: f32 = -0.5;
