@@ -264,8 +264,6 @@ lines! {
     SWEEP_BALL: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of half the rays, degrees", 0.101, 0.2;
     SWEEP_BALL_MOST: "a ball swept as a volume bends rays by Snell's law", "96 voxels, rays inside 0.75 radii", "the direction of 98 % of rays, degrees", 0.788, 1.5;
     SWEEP_PLATES: "two plates swept as volumes: Beer–Lambert", "64 voxels", "the transmittance", 0.0044, 0.0083;
-    CAUSTICS: "rays: the light that bodies refract onto the ground is that of a sweep", "96 voxels, a ball and a coloured block; crisp and soft light, a lamp", "the irradiance", 0.001, 0.002;
-    CAUSTICS_FLUX: "rays: the light that a ball takes from the ground is in its caustic", "96 voxels, n = 1.5", "the flux, relative", 0.01, 0.02;
 
     BEAMS_AIRLIGHT: AIRLIGHT, "three rays of length 20, as near to the lamp as 1", "the radiance, relative", 3.1e-5, 6.1e-5, elsewhere 1e-4;
     BEAMS_SHADOW_OF_DISKS: VOLUME_SHADOW, "level and tilted disks, 256² rays of light", "what the shadow takes away, relative", 0.013, 0.015;
