@@ -93,7 +93,7 @@ fn values_that_contradict_each_other_are_refused() {
     assert!(refusal("camera.position = [1, 2, 3]\ncamera.target = [1, 2, 3]").contains("the eye stands on its target"));
     assert!(refusal("environment.kind = \"map\"").contains("`environment.file` is not given"));
     assert!(
-        refusal("film.width = 16384\nfilm.height = 16384\nfilm.supersampling = 2")
+        refusal("film.width = 16384\nfilm.height = 16384\nfilm.supersampling = 2\nsweep.light = \"texels\"")
             .contains("are 1073741824 viewing rays")
     );
     let unsorted = "transfer.ior = [\n  { value = 2, ior = 1 },\n  { value = 1, ior = 1 },\n]\n";

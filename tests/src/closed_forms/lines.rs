@@ -185,20 +185,20 @@ lines! {
     BEER_AROUND_THE_EYE: "Beer–Lambert from an eye within a box", "32³ voxels, planes every 0.37, 1, 2.5 voxels", "the opacity", 1.02e-5, 2.0e-5;
 
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
-    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 4.7e-4, 9.0e-4;
+    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 4.955e-4, 9.0e-4;
 
-    MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.0199, 0.03;
-    MATTER_SOFT: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", RADIANCE_RMS, 0.0275, 0.04;
-    MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.0044, 0.0085;
-    MATTER_STEEP: MATTER, "the same, opacity rises over four tenths of a voxel", RADIANCE_RMS, 0.0097, 0.015;
-    MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.088, 0.12;
+    MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.01478, 0.029;
+    MATTER_SOFT: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", RADIANCE_RMS, 0.02648, 0.04;
+    MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.008473, 0.0085;
+    MATTER_STEEP: MATTER, "the same, opacity rises over four tenths of a voxel", RADIANCE_RMS, 0.01262, 0.015;
+    MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.01489, 0.029;
     ISOSURFACE_OPACITY: ISOSURFACE, "the same slopes, planes every 1, ½, ¼ voxels", "the opacity", 9.5e-9, 1.9e-8, elsewhere 1e-6;
     ISOSURFACE_DEPTH: SEEN_ISOSURFACE, ISOSURFACE_SLOPES, "the depth, voxels", 1.9e-5, 3.7e-5, elsewhere 1e-3;
-    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, seven voxels apart", "the radiance, relative", 5e-6, 1e-5, elsewhere 1e-4;
-    ISOSURFACE_LIGHT_NEAR: LIT_ISOSURFACES, "the same, half a voxel apart", "the radiance, relative", 0.139, 0.2;
-    ISOSURFACE_SHADOW: ISOSURFACE_SHADOWS, "48³ voxels, planes every voxel and every half", "the irradiance", 1e-6, 2e-6, elsewhere 1e-5;
-    ISOSURFACE_SHADING_MEAN: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, "the mean radiance, relative", 4.9e-6, 9.8e-6, elsewhere 1e-4;
-    ISOSURFACE_SHADING: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, RADIANCE_RMS, 0.0013, 0.0026;
+    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, seven voxels apart", "the radiance, relative", 1.161e-7, 2.3e-7, elsewhere 1e-4;
+    ISOSURFACE_LIGHT_NEAR: LIT_ISOSURFACES, "the same, half a voxel apart", "the radiance, relative", 8.844e-3, 0.017;
+    ISOSURFACE_SHADOW: ISOSURFACE_SHADOWS, "48³ voxels, planes every voxel and every half", "the irradiance", 2.027e-8, 4.0e-8, elsewhere 1e-5;
+    ISOSURFACE_SHADING_MEAN: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, "the mean radiance, relative", 2.892e-4, 5.7e-4;
+    ISOSURFACE_SHADING: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, RADIANCE_RMS, 6.083e-4, 1.2e-3;
     ISOSURFACE_GRADIENT: LAMBERT, "48³ voxels, an isosurface, inside 0.9 radii", "the radiance", 0.024, 0.048;
     MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.038, 0.06;
     SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.0372, 0.05;
@@ -215,8 +215,8 @@ lines! {
     LIGHTS_SHADOWS: LIGHTS, "two shadows of an opaque ball, each lit by the other light", "the radiance", 2.3e-8, 4.6e-8, elsewhere 1e-3;
     LIGHTS_AMBIENT: LIGHTS, "ambient light alone", "the radiance", 0.0, 0.0, elsewhere 1e-6;
 
-    AMBIENT_FURNACE: "white matter, ground and wall vanish in ambient light of radiance 1", "32³ voxels", RADIANCE, 1.0e-6, 2.0e-6;
-    AMBIENT_GRADIENT: "ground in the light of a gradient: h + 4/5 (c − h)", "harmonics to the second order", "the radiance, relative", 0.02, 0.03;
+    AMBIENT_FURNACE: "white matter, ground and wall vanish in ambient light of radiance 1", "32³ voxels", RADIANCE, 9.537e-6, 1.9e-5;
+    AMBIENT_GRADIENT: "ground in the light of a gradient: h + 4/5 (c − h)", "harmonics to the second order", "the radiance, relative", 0.03148, 0.05;
 
     STEP: LENS, "512 planes across", "the place where rays at heights 0.1, 0.3, 0.5 meet, radii", 2.3e-7, 4.6e-7;
     FISHEYE_10: FISHEYE, FISHEYE_SETUP, "the image of rays that start at 10°, radii", 2.3e-6, 4.6e-6;

@@ -31,8 +31,8 @@ pub(crate) fn clear_ranges(scene: &Scene, by: By, range: impl FnOnce() -> [f32; 
     let whole = vec![[f32::NEG_INFINITY, f32::INFINITY]];
     let clear = functions.iter().fold(whole, |clear, points| common(&clear, &ranges(points)));
     let parted: Vec<[f32; 2]> = surfaces.iter().fold(clear, |clear, &value| parted(&clear, value));
+    let Some(lowest) = surfaces.iter().copied().reduce(f32::min) else { return parted };
     // Matter with a surface is closed where something is hidden beside it, and not the space around it.
-    let lowest = surfaces.iter().copied().fold(f32::INFINITY, f32::min);
     let below: Vec<[f32; 2]> = parted.iter().copied().filter(|[_, high]| *high < lowest).collect();
     if below.is_empty() { parted } else { below }
 }

@@ -99,11 +99,14 @@ impl<'a> Preintegration<'a> {
     /// lengths between them.
     pub(in crate::method::sweep) fn words(&self, length: f64) -> Vec<u32> {
         let entries = self.nodes.len();
-        let rows = (0..entries).into_par_iter().map(|front| {
-            let row = (0..entries).flat_map(|back| self.entry(front, back, length));
-            row.collect::<Vec<u32>>()
+        let row = entries * layout::SEGMENT_WORDS as usize;
+        let mut words = vec![0; entries * row];
+        words.par_chunks_mut(row).enumerate().for_each(|(front, row)| {
+            for (back, words) in row.chunks_exact_mut(layout::SEGMENT_WORDS as usize).enumerate() {
+                words.copy_from_slice(&self.entry(front, back, length));
+            }
         });
-        rows.collect::<Vec<_>>().concat()
+        words
     }
 
     fn entry(&self, front: usize, back: usize, length: f64) -> [u32; layout::SEGMENT_WORDS as usize] {
