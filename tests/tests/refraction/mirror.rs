@@ -193,7 +193,13 @@ fn searches_end_where_the_tree_does() -> Result<(), Failure> {
 #[test]
 fn shadows_are_mirrored() -> Result<(), Failure> {
     let wall = format!("wall={{color={WALL:?},azimuth=180,distance=4}}");
-    let light = ["light.0.attachment=world", "light.0.elevation=0", "light.0.azimuth=180", "shading.ambient=[0,0,0]"];
+    let light = [
+        "light.0.attachment=world",
+        "light.0.elevation=0",
+        "light.0.azimuth=180",
+        "shading.ambient=[0,0,0]",
+        "light.0.angular_radius=0",
+    ];
     let case = scene(&[&light[..], &["voxels.surfaces=exact", &wall]].concat())?;
     on_both(|backend| {
         let rays = mirrored(&trace(&case, backend)?);

@@ -83,7 +83,7 @@ fn range(outer: &Value, shape: &'static Value) -> String {
     if is("array") {
         let items = resolved(&shape["items"]);
         let count = if shape["minItems"] == 2 { "two" } else { "three" };
-        if shape["minItems"].is_null() && items["type"] == "number" {
+        if shape["minItems"].is_null() && items["type"] == "number" && bounds(items).is_none() {
             return "a list of numbers".to_owned();
         }
         return match bounds(items) {

@@ -19,7 +19,7 @@ pub enum Coefficient {
 #[serde(deny_unknown_fields, default)]
 pub struct Shadow {
     /// Number of voxels of the shadow map along the longest edge of the mesh's box as the light sees it; if absent three for each four pixels along the
-    /// longer side of the picture, at least 256 and at most 512, or as many as fit into 256 MiB.
+    /// longer side of the picture, at least 256 and at most 512, or as many as fit into 128 MiB.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 16, max = 1024), extend("x-unit" = "voxels"))]
     pub resolution: Option<u32>,

@@ -200,10 +200,12 @@ impl FramePlan {
         (block.grid.nearest, block.ior_grid.nearest) = (nearest, nearest);
         let steepest = steepest(&view, &tables, std::iter::once(towards.as_vec3().to_array()));
         let sampled = std::iter::once(shown).chain(bending);
-        let sampling = sampled.clone().map(|volume| Sampling::new(scene, volume, &view, &planes, steepest)).collect();
+        let aside = frame.as_ref().map_or(0.0, Frame::reach);
+        let sampling =
+            sampled.clone().map(|volume| Sampling::new(scene, volume, &view, &planes, (steepest, aside))).collect();
         let of_frame = |frame: &Frame| {
             let steepest = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { frame.steepest() };
-            sampled.map(|volume| Sampling::new(scene, volume, &frame.view, &frame.planes, steepest)).collect()
+            sampled.map(|volume| Sampling::new(scene, volume, &frame.view, &frame.planes, (steepest, 0.0))).collect()
         };
         let light_sampling = frame.as_ref().map_or_else(Vec::new, of_frame);
         block.light.color = initial_light(scene, &block);

@@ -25,6 +25,8 @@ pub(in crate::method::sweep) struct Sampling {
     growth: DVec3,
     /// The longest step from plane to plane along each axis, in voxels.
     step: DVec3,
+    /// How far beside the way from plane to plane look-ups are, world units.
+    reach: f64,
     /// The largest voxel coordinate in a computation.
     largest: f64,
     /// Whether there are borders within the volume.
@@ -163,20 +165,20 @@ fn kinds(query: &OccupancyQuery, longest: DVec3, pages: [u32; 3]) -> Vec<Kind> {
 }
 
 impl Sampling {
-    /// The look-ups in `volume` of rays with a slope of at most `steepest` (distance across over depth).
+    /// The look-ups in `volume` of rays with a slope of at most `steepest` (distance across over depth), which look up to `reach` world units aside, too.
     pub(in crate::method::sweep) fn new(
         scene: &Scene,
         volume: &Volume,
         view: &View,
         planes: &Planes,
-        steepest: f64,
+        (steepest, reach): (f64, f64),
     ) -> Self {
         let steps = voxel_steps(volume);
         let along = steps.inverse() * view.axes;
         let eye = view.eye - vector(volume.origin);
         let step = |axis: usize| {
             let row = along.row(axis);
-            (row.truncate().length() * steepest + row.z.abs()) * planes.distance
+            (row.truncate().length() * steepest + row.z.abs()) * planes.distance + row.length() * reach
         };
         let sizes = DVec3::from_array(volume.dimensions.map(f64::from));
         Self {
@@ -184,6 +186,7 @@ impl Sampling {
             growth: steps.transpose() * view.axes.z_axis,
             step: DVec3::new(step(0), step(1), step(2)),
             largest: ((steps.inverse() * eye).abs() + sizes).max_element(),
+            reach,
             cropped: scene.crop.is_some(),
         }
     }
@@ -204,7 +207,7 @@ impl Sampling {
         let growth = self.growth.abs();
         let rounding = growth.element_sum() * (ROUNDING + 2e-6 * self.largest);
         let border = self.cropped || (0..3).any(|axis| at[axis] == 0 || at[axis] + 1 == pages[axis]);
-        let margin = rounding + if border { growth.dot(self.step) + planes.distance } else { 0.0 };
+        let margin = rounding + self.reach + if border { growth.dot(self.step) + planes.distance } else { 0.0 };
         let index = |depth: f64| (depth - planes.first_depth) / planes.distance;
         let limit = |index: f64| index.clamp(0.0, f64::from(planes.behind) + 1.0) as u32;
         // Planes behind the volume look at nothing.

@@ -119,7 +119,13 @@ impl Frame {
     pub(super) fn nearer(&self) -> f64 {
         let last = self.planes.depth(self.planes.count - 1);
         let edge = self.cell * self.source.map_or(1.0, |source| last - source.depth);
-        f64::from(NEARER) * (edge / (self.planes.distance * f64::from(self.stride))).max(1.0)
+        // Two ways, one behind the other.
+        2.0 * f64::from(NEARER) * (edge / (self.planes.distance * f64::from(self.stride))).max(1.0)
+    }
+
+    /// How far viewing rays look up scalars towards the source, world units, see [`matter`](vitrum_kernels::sweep::light::matter).
+    pub(in crate::method::sweep) fn reach(&self) -> f64 {
+        self.nearer() * self.planes.distance * f64::from(self.stride)
     }
 
     /// The coordinates of a point of the world: cells across and up, and planes on which light is kept.

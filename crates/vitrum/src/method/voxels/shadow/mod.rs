@@ -96,7 +96,7 @@ impl ShadowMap {
     /// If the light stands in the mesh's box, the map is too large for the backend, or the backend fails.
     pub(super) fn new(cast: Cast, bodies: &[Body], tools: &mut Tools<'_>) -> Result<Self, Error> {
         let turned = casters::Turned::new(bodies, &cast.source)?;
-        let grid = resolution::grid(&cast, &turned, tools.backend.largest_buffer())?;
+        let grid = resolution::grid(&cast, &turned)?;
         let is_colored = cast.coefficient == Coefficient::PerTriangle && cast.casters.iter().any(Caster::is_colored);
         let channels = if is_colored { 3 } else { 1 };
         let words = passes::words(grid, channels);
