@@ -199,6 +199,7 @@ fn shadows_are_mirrored() -> Result<(), Failure> {
         "light.0.azimuth=180",
         "shading.ambient=[0,0,0]",
         "light.0.angular_radius=0",
+        "voxels.caustics=false",
     ];
     let case = scene(&[&light[..], &["voxels.surfaces=exact", &wall]].concat())?;
     on_both(|backend| {
