@@ -151,7 +151,7 @@ pub struct RayTile {
 }
 
 impl RayTile {
-    /// The places of its rays on the picture, row by row, each by [`word`](vitrum_kernels::sweep::place::word).
+    /// The places of its rays on the picture, row by row, each by [`word`].
     #[must_use]
     pub fn words(self) -> Vec<u32> {
         let Self { first, size } = self;
@@ -163,7 +163,7 @@ impl RayTile {
 /// The pixels of a picture that are rendered anew with more rays.
 #[derive(Debug, Clone, Copy)]
 pub struct RefinedPixels<'a> {
-    /// The pixels, by [`word`](vitrum_kernels::sweep::place::word), side by side in rows of [`Self::COLUMNS`] that are all full.
+    /// The pixels, by [`word`], side by side in rows of [`Self::COLUMNS`] that are all full.
     pub pixels: &'a [u32],
     /// Rays along each side of a pixel.
     pub edge: u32,
