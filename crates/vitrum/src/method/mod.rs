@@ -10,6 +10,7 @@ mod environment_lights;
 mod lights;
 mod sources;
 pub mod spectrum;
+mod surface;
 pub mod sweep;
 mod twist;
 pub(crate) mod view;

@@ -69,7 +69,7 @@ impl Method for PlaneSweep {
         match &assets.subject {
             Subject::Mesh(mesh) => {
                 scene.check_for_mesh()?;
-                crate::method::voxels::check_mesh(mesh)?;
+                crate::method::surface::check_mesh(mesh)?;
                 light::check(scene, Bounds::from(&**mesh), assets.environment.as_deref())
             }
             Subject::Volume(_) | Subject::Volumes { .. } => assets

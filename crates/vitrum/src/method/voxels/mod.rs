@@ -33,24 +33,11 @@ use crate::error::Error;
 use crate::film::Output;
 use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, lights, spectrum};
 use crate::scene::{MethodName, Scene};
-use crate::unrenderable::Unrenderable;
 use cache::MeshCache;
-use vitrum_io::Mesh;
 
 /// Rays through a mesh.
 #[derive(Debug, Clone, Copy)]
 pub struct MeshRays;
-
-/// Whether a mesh has a surface.
-///
-/// # Errors
-/// [`Error::Unrenderable`] where no triangle has an area.
-pub(in crate::method) fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
-    if mesh.surface_area() > 0.0 {
-        return Ok(());
-    }
-    Err(Unrenderable::NoSurface { name: mesh.name.clone(), count: mesh.triangles.len() }.into())
-}
 
 /// Checks that `method` can show a scene's mesh in its lights.
 ///
@@ -59,7 +46,7 @@ pub(in crate::method) fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
 pub(in crate::method) fn check(scene: &Scene, assets: &Assets, method: MethodName) -> Result<(), Error> {
     let mesh = uploaded::shown(assets, method)?;
     scene.check_for_mesh()?;
-    check_mesh(mesh)?;
+    crate::method::surface::check_mesh(mesh)?;
     light::check(scene, assets, mesh)
 }
 
