@@ -50,5 +50,8 @@ fn stale() -> Result<Vec<String>, ManifestError> {
 /// Runs the shader compiler. Its first run also builds rust-gpu's code generator, 10 to 20 minutes on two cores, which
 /// stays in the user's cache folder.
 fn compile(arguments: &[&str]) -> Result<(), Failure> {
-    command::run(cargo(["run", "--release", "--package", COMPILER]).args(arguments))
+    // The compiler reads the kernels' declarations and runs none of them: optimising them takes ten minutes of a core.
+    let declarations = ["--config", "profile.release.package.vitrum-kernels.opt-level=0"];
+    let mut command = cargo(["run", "--release", "--package", COMPILER]);
+    command::run(command.args(declarations).args(arguments))
 }
