@@ -97,6 +97,22 @@ impl Case {
         Ok(self)
     }
 
+    /// The case with voxels of bytes that have colours and factors of extinction of their own, different ones from voxel to voxel.
+    ///
+    /// # Errors
+    /// As [`Self::in_bytes`].
+    pub fn in_colors(self) -> Result<Self, Failure> {
+        let mut case = self.in_bytes()?;
+        let volume = case.volume().clone();
+        // Fibonacci hashing spreads the numbers of voxels.
+        let colors = (0..volume.voxel_count() as u32).map(|index| index.wrapping_mul(0x9e37_79b9) | 0x8000_0000);
+        let colored = Arc::new(volume.with_colors(colors.collect())?);
+        if let Subject::Volume(shown) = &mut case.assets.subject {
+            *shown = colored;
+        }
+        Ok(case)
+    }
+
     /// The volume that the case shows.
     ///
     /// # Panics

@@ -26,11 +26,6 @@ use crate::raster::Raster;
 use crate::refraction;
 use crate::run::{About, Run};
 
-/// A light of the glass on texels. From 44° some of its directions differ from unbent ones by a zero whose sign the adapter and the CPU give
-/// differently; the packed word then differs in that bit alone.
-const AZIMUTH: &str = "light.0.azimuth=32";
-/// The same light's elevation.
-const ELEVATION: &str = "light.0.elevation=10";
 /// Light that a wavefront carries.
 const FORWARD: &str = "sweep.light=forward";
 /// A point beside and before a built-in volume.
@@ -58,9 +53,9 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("ball", "ball", &[])?,
         case("ball chain", "ball", &["sweep.gradient=chain"])?,
         case("ball euler", "ball", &euler)?,
-        case("glass hard", "glass", &["light.0.angular_radius=0", AZIMUTH, ELEVATION])?,
-        case("glass/straight", "glass/straight", &["light.0.angular_radius=1", AZIMUTH, ELEVATION])?,
-        case("glass/straight hard", "glass/straight", &["light.0.angular_radius=0", AZIMUTH, ELEVATION])?,
+        case("glass hard", "glass", &["light.0.angular_radius=0"])?,
+        case("glass/straight", "glass/straight", &["light.0.angular_radius=1"])?,
+        case("glass/straight hard", "glass/straight", &["light.0.angular_radius=0"])?,
         case("head", "head", &[])?,
         case("head all", "head", &["sweep.empty_space_skipping=false"])?,
         case("head u8", "head", &[])?.in_bytes()?,
@@ -108,6 +103,9 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
             &[FORWARD, ISOSURFACES, "ground={}", "shading.diffuse=gradient"],
         )?,
         case("phantom isosurfaces straight forward", "phantom", &[FORWARD, ISOSURFACES, "sweep.refraction=false"])?,
+        case("ball colours", "ball", &[])?.in_colors()?,
+        case("luneburg colours forward", "luneburg", &[FORWARD])?.in_colors()?,
+        case("phantom colours isosurfaces forward", "phantom", &[FORWARD, ISOSURFACES])?.in_colors()?,
         case("phantom cropped", "phantom", &[CROP])?,
         case("glass cropped forward", "glass", &[FORWARD, CROP])?,
     ]);
@@ -140,6 +138,7 @@ fn projections(case: impl Fn(&str, &str, &[&str]) -> Result<Case, Failure>) -> R
         case("head u8 streamed maximum", "head", &[&maximum])?.in_bytes()?.streamed(),
         case("luneburg streamed minimum", "luneburg", &[&minimum])?.streamed(),
         case("combustion/mixture streamed mean", "combustion/mixture", &[&mean])?.streamed(),
+        case("ball colours mean", "ball", &[&mean])?.in_colors()?,
     ])
 }
 

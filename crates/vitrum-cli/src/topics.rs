@@ -63,6 +63,7 @@ refraction, filter. A preset fits one to the volume; these flags change it, in t
   --threshold VALUE               everything below is nothing
   --colormap NAME                 the colours of a map, such as viridis
   --isosurface VALUE[:COLOR[:OPACITY]]    the surface where values are VALUE; repeatable
+  --gradient-opacity MAGNITUDE:FACTOR    less opacity where values change little; repeatable
   --set transfer.opacity.0.value=300    a point of it, last of all
 
   vitrum info FILE          the values: histogram, percentiles and landmarks

@@ -3,6 +3,7 @@
 use clap::Args;
 use std::path::PathBuf;
 use vitrum::preset::{self, Adjustments, Surface};
+use vitrum::scene::GradientPoint;
 
 /// The transfer function's file and changes; what they set are the keys of `transfer`.
 #[derive(Debug, Clone, Args)]
@@ -32,6 +33,11 @@ pub struct TransferArguments {
     /// Without --preset a volume file then shows surfaces alone
     #[arg(long, value_name = "VALUE[:COLOR[:OPACITY]]", allow_hyphen_values = true)]
     pub isosurface: Vec<Surface>,
+
+    /// Multiply the extinction by FACTOR where the value changes by MAGNITUDE over a voxel, such as 20:0,100:1 to show boundaries alone; `vitrum info` shows
+    /// common magnitudes
+    #[arg(long, value_name = "MAGNITUDE:FACTOR", value_delimiter = ',')]
+    pub gradient_opacity: Vec<GradientPoint>,
 }
 
 impl TransferArguments {
@@ -39,7 +45,9 @@ impl TransferArguments {
     pub fn adjustments(&self) -> Adjustments {
         let window = self.window.zip(self.level).map(|(width, level)| [width, level]);
         let (colormap, isosurfaces) = (self.colormap.clone(), self.isosurface.clone());
-        Adjustments { threshold: self.threshold, window, colormap, isosurfaces }
+        let mut gradient = self.gradient_opacity.clone();
+        gradient.sort_by(|a, b| a.magnitude.total_cmp(&b.magnitude));
+        Adjustments { threshold: self.threshold, window, colormap, isosurfaces, gradient }
     }
 }
 

@@ -42,7 +42,7 @@ fn info_tells_counts_percentiles_and_landmarks() {
     let folder = Folder::new();
     folder.write("ct.nrrd", ct());
     let text = folder.succeed(&["info", "ct.nrrd"]);
-    for words in ["counts", "296 voxels", "percentiles", "99.9 %: 1", "landmarks", "air -", "dense "] {
+    for words in ["counts", "296 voxels", "percentiles", "99.9 %: 1", "gradients", "landmarks", "air -", "dense "] {
         assert!(text.contains(words), "{words}: {text}");
     }
     let info = json(&folder.succeed(&["info", "ct.nrrd", "--json"]));
@@ -129,6 +129,32 @@ fn isosurfaces_stand_alone_or_beside_a_preset() {
     refused("300:red:2", "VALUE[:COLOR[:OPACITY]]");
     let nearest = ["render", "a.toml", "-o", "b.png", "--set", "volume.interpolation=nearest"];
     folder.refuse(&nearest, 2, &["isosurface", "between voxels there is no value"]);
+}
+
+#[test]
+fn opacity_goes_by_gradients_too() {
+    let folder = Folder::new();
+    folder.write("ct.nrrd", ct());
+    let scene = folder.succeed(&["scene", "ct.nrrd", "--preset", "plain", "--gradient-opacity", "400:1,20:0"]);
+    let found = scene.split("gradient").nth(1).expect("a function");
+    let [first, second] = ["magnitude = 20.0", "magnitude = 400.0"].map(|point| found.find(point).expect("the point"));
+    assert!(first < second, "{scene}");
+    folder.write("a.toml", scene);
+    folder.succeed(&["render", "a.toml", "-o", "a.png", "--size", "16x16", "--backend", "cpu"]);
+    for wrong in ["20", "20:2", "-1:0", "a:b"] {
+        let flag = format!("--gradient-opacity={wrong}");
+        folder.refuse(&["render", "ct.nrrd", "-o", "b.png", &flag], 2, &["expected MAGNITUDE:FACTOR"]);
+    }
+    let unsorted = "transfer.gradient=[{opacity=[{magnitude=5,factor=1},{magnitude=2,factor=0}]}]";
+    folder.refuse(
+        &["render", "ct.nrrd", "-o", "b.png", "--set", unsorted],
+        2,
+        &["transfer.gradient.0.opacity.1.magnitude"],
+    );
+    let backwards = "transfer.gradient=[{values=[5,2]}]";
+    folder.refuse(&["render", "ct.nrrd", "-o", "b.png", "--set", backwards], 2, &["transfer.gradient.0.values"]);
+    let beside = ["--set", "ior_volume.file=ct.nrrd", "--gradient-opacity", "0:1", "--backend", "cpu"];
+    folder.refuse(&[&["render", "ct.nrrd", "-o", "b.png"], &beside[..]].concat(), 2, &["comes from another volume"]);
 }
 
 #[test]

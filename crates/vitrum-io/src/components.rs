@@ -5,9 +5,12 @@ use std::io::{self, BufRead, Read};
 use half::f16;
 
 use crate::error::{Error, Place, Report, clip};
+use crate::memory;
 use crate::samples::{Endian, SampleType, VoxelBuffer, read_up_to};
 use crate::setting::Setting;
+use crate::shared::Shared;
 use crate::source::{Assumption, Assumptions};
+use crate::stored::color_word;
 use crate::stream;
 use crate::text;
 
@@ -58,8 +61,26 @@ pub(crate) fn fill(
 ) -> Result<(), Error> {
     match components {
         None => stream::fill(report, voxels, reader, count, size),
-        Some(components) => stream::fill(report, voxels, &mut components.reduced(reader), count, 4),
+        Some(components) => {
+            let mut reduced = components.reduced(reader);
+            if components.are_colors() {
+                // A volume of several files has those of the files before.
+                reduced.colors = Some(match voxels.colors.take() {
+                    Some(colors) => colors,
+                    None => memory::reserve(report, Shared::<u32>::room(count))?,
+                });
+            }
+            stream::fill(report, voxels, &mut reduced, count, 4)?;
+            voxels.colors = reduced.colors;
+            Ok(())
+        }
     }
+}
+
+/// Bytes of a voxel in memory, colours included, of the type to which it is [decoded](decoded_as).
+pub(crate) fn stored_bytes(sample: SampleType, components: Option<Components>) -> u64 {
+    let colors = if components.is_some_and(Components::are_colors) { size_of::<u32>() as u64 } else { 0 };
+    sample.stored_size() as u64 + colors
 }
 
 /// As [`text::read_numbers`], for voxels that may have several components; nothing may follow where the numbers are the `last`.
@@ -112,7 +133,7 @@ impl Components {
             return Err(report.unsupported(place, problem, "pick out one component first"));
         }
         let pick = match asked.map(str::trim) {
-            None if colors => Pick::Luminance,
+            None if colors && count >= 3 => Pick::Luminance,
             None | Some("norm") => Pick::Norm,
             Some("rgb") if count >= 3 => Pick::Luminance,
             Some(other) => match other.parse::<usize>() {
@@ -127,7 +148,10 @@ impl Components {
         };
         let made = match pick {
             Pick::Norm => "the length of the vector was taken".to_owned(),
-            Pick::Luminance => "colours come from one number a voxel here: the luminance was taken".to_owned(),
+            Pick::Luminance if shows_colors(sample) => {
+                "their colours are shown, and opacity goes by the luminance".to_owned()
+            }
+            Pick::Luminance => format!("colours of {} are not shown: the luminance was taken", sample.name()),
             Pick::One(index) => format!("component {index} was taken"),
         };
         let others = format!("`norm`, {}0 to {}", if count >= 3 { "`rgb`, " } else { "" }, count - 1);
@@ -171,6 +195,7 @@ impl Components {
     pub fn needed(self) -> usize {
         match self.pick {
             Pick::Norm => self.count,
+            Pick::Luminance if self.are_colors() => self.count.min(4),
             Pick::Luminance => 3,
             Pick::One(index) => index + 1,
         }
@@ -188,6 +213,43 @@ impl Components {
         gathered as f32
     }
 
+    /// Whether the colours are shown: those of bytes, of 16 bits, and of floats from 0 to 1.
+    pub fn are_colors(self) -> bool {
+        self.pick == Pick::Luminance && shows_colors(self.sample)
+    }
+
+    /// A channel as a byte. Floats are 1 at most, as VTK has it.
+    fn channel(&self, value: f64) -> u8 {
+        let of_255 = match self.sample {
+            SampleType::U8 => value,
+            SampleType::U16 => value / 257.0,
+            _ => 255.0 * value,
+        };
+        (of_255 + 0.5) as u8
+    }
+
+    /// The word of a voxel's colour with its channel `index`.
+    pub fn with_channel(self, word: u32, index: usize, bytes: &[u8]) -> u32 {
+        let mut channels = word.to_le_bytes();
+        if let Some(channel) = channels.get_mut(index) {
+            *channel = self.channel(decoded(bytes, self.sample, self.endian));
+        }
+        u32::from_le_bytes(channels)
+    }
+
+    /// The word of a voxel's colour.
+    fn color_of_bytes(&self, voxel: &[u8]) -> u32 {
+        let channels = voxel.chunks_exact(self.sample.size()).take(4).enumerate();
+        channels.fold(color_word(0, 0, 0, u8::MAX), |word, (index, bytes)| self.with_channel(word, index, bytes))
+    }
+
+    /// As [`Self::color_of_bytes`], of numbers.
+    fn color_of_numbers(&self, numbers: &[f64]) -> u32 {
+        let mut channels = [0, 0, 0, u8::MAX];
+        channels.iter_mut().zip(numbers).for_each(|(channel, &number)| *channel = self.channel(number));
+        u32::from_le_bytes(channels)
+    }
+
     /// Bytes of a component.
     pub fn sample_size(self) -> usize {
         self.sample.size()
@@ -202,6 +264,10 @@ impl Components {
         count: usize,
     ) -> Result<(), Error> {
         let mut numbers = vec![0.0; self.count];
+        let mut colors = match voxels.colors.take() {
+            None if self.are_colors() => Some(memory::reserve(report, Shared::<u32>::room(count))?),
+            before => before,
+        };
         for voxel in 0..count {
             for (index, number) in numbers.iter_mut().enumerate() {
                 let at = voxel * self.count + index;
@@ -212,7 +278,11 @@ impl Components {
                 *number = self.mapping[0] * value + self.mapping[1];
             }
             voxels.append_float(self.made_of(|index| numbers.get(index).copied().unwrap_or(f64::NAN)));
+            if let Some(colors) = &mut colors {
+                colors.push(self.color_of_numbers(&numbers));
+            }
         }
+        voxels.colors = colors;
         Ok(())
     }
 
@@ -229,7 +299,7 @@ impl Components {
 
     /// The numbers of the voxels, as float32, little-endian.
     pub fn reduced<'a>(self, inner: &'a mut (dyn Read + 'a)) -> Reduced<'a> {
-        Reduced { components: self, inner, ready: Vec::new(), given: 0 }
+        Reduced { components: self, inner, ready: Vec::new(), given: 0, colors: None }
     }
 
     fn made_of_bytes(&self, voxel: &[u8]) -> f32 {
@@ -249,6 +319,11 @@ impl Components {
             Pick::Norm => libm::sqrt((0..self.count).map(|index| number(index) * number(index)).sum()) as f32,
         }
     }
+}
+
+/// Whether colours of this type are shown.
+fn shows_colors(sample: SampleType) -> bool {
+    matches!(sample, SampleType::U8 | SampleType::U16 | SampleType::F32 | SampleType::F64)
 }
 
 fn decoded(bytes: &[u8], sample: SampleType, endian: Endian) -> f64 {
@@ -279,6 +354,8 @@ pub(crate) struct Reduced<'a> {
     inner: &'a mut dyn Read,
     ready: Vec<u8>,
     given: usize,
+    /// The colours so far, where they are asked for.
+    pub colors: Option<Vec<u32>>,
 }
 
 impl Read for Reduced<'_> {
@@ -290,9 +367,11 @@ impl Read for Reduced<'_> {
             // No more than is asked for, so that what lies behind stays to be looked at.
             let voxels = buffer.len().div_ceil(4).min(VOXELS);
             let (found, outcome) = read_up_to(self.inner, &mut chunk[..voxels * size]);
-            let whole =
-                chunk[..found].chunks_exact(size).flat_map(|voxel| self.components.made_of_bytes(voxel).to_le_bytes());
-            self.ready = whole.collect();
+            let whole = chunk[..found].chunks_exact(size);
+            if let Some(colors) = &mut self.colors {
+                colors.extend(whole.clone().map(|voxel| self.components.color_of_bytes(voxel)));
+            }
+            self.ready = whole.flat_map(|voxel| self.components.made_of_bytes(voxel).to_le_bytes()).collect();
             self.given = 0;
             if self.ready.is_empty() {
                 outcome?;

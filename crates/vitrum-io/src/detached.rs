@@ -13,7 +13,7 @@ use crate::options::OpenOptions;
 use crate::samples::{Endian, SampleType, VoxelBuffer};
 use crate::source::Assumptions;
 use crate::storage::{ByteReader, Storage};
-use crate::voxels::Voxels;
+use crate::stored::Stored;
 
 /// More files than this for one volume are a mistake in the header.
 const MOST_FILES: u64 = 1_000_000;
@@ -147,6 +147,8 @@ pub(crate) struct DataFiles<'a> {
     pub count: u64,
     pub sample: SampleType,
     pub endian: Endian,
+    /// Bytes of a voxel in memory.
+    pub stored: u64,
 }
 
 impl DataFiles<'_> {
@@ -159,11 +161,11 @@ impl DataFiles<'_> {
         notes: &mut Assumptions,
         check: impl Fn(&DataFile, u64) -> Result<(), Error>,
         append: impl Fn(&DataFile, &mut VoxelBuffer, usize) -> Result<u64, Error>,
-    ) -> Result<Voxels, Error> {
+    ) -> Result<Stored, Error> {
         // Lies about the size come first: they are the better message, and need no memory.
         let share = self.count / self.files.len() as u64;
         self.files.iter().try_for_each(|file| check(file, share))?;
-        memory::check(report, self.count * self.sample.stored_size() as u64, options.max_bytes)?;
+        memory::check(report, self.count * self.stored, options.max_bytes)?;
         let capacity = usize::try_from(self.count).unwrap_or(usize::MAX);
         let mut voxels = VoxelBuffer::reserve(report, self.sample, self.endian, capacity)?;
         let mut unread = 0;

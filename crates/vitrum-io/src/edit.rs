@@ -35,10 +35,12 @@ impl Volume {
             Voxels::U16(voxels) => Voxels::U16(part(voxels, self.dimensions, ranges)),
             Voxels::F32(voxels) => Voxels::F32(part(voxels, self.dimensions, ranges)),
         };
+        let colors = self.colors.as_ref().map(|colors| part(colors, self.dimensions, ranges));
         let first = [0, 1, 2].map(|axis| f64::from(ranges[axis].start));
         let spacing = self.spacing;
         let (scale, offset) = (self.value_scale, self.value_offset);
-        self.with(dimensions, spacing, first, voxels)?.with_value_mapping(scale, offset)
+        let volume = self.with(dimensions, spacing, first, voxels)?;
+        Self { colors, ..volume }.with_value_mapping(scale, offset)
     }
 
     /// The volume on a grid of so many voxels at these distances, around the same middle: linear in between, and averaged over the new

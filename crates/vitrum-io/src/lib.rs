@@ -73,6 +73,7 @@ mod source;
 #[cfg(feature = "tiff")]
 mod stack;
 mod storage;
+mod stored;
 mod stream;
 pub mod suggest;
 mod temporary;

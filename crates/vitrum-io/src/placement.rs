@@ -8,9 +8,9 @@ use crate::orientation::Orientation;
 use crate::samples::SampleType;
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
+use crate::stored::Stored;
 use crate::tolerance;
 use crate::volume::{IDENTITY, Volume};
-use crate::voxels::Voxels;
 
 /// The assumption about formats and files that do not say how the grid lies in the world.
 pub(crate) fn unoriented() -> Assumption {
@@ -110,7 +110,7 @@ impl Placement {
         &self,
         name: &str,
         dimensions: [u32; 3],
-        voxels: Voxels,
+        voxels: impl Into<Stored>,
         sample: SampleType,
     ) -> Result<Volume, Error> {
         let mut volume = Volume::of_samples(name.to_owned(), dimensions, self.spacing, voxels, sample)?;

@@ -7,8 +7,8 @@ use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::samples::read_up_to;
 use crate::shared::Shared;
+use crate::stored::{Stored, color_word};
 use crate::stream;
-use crate::voxels::Voxels;
 
 /// Reads one number for each of `count` voxels. In front of each plane are `before` bytes, and `between` behind it.
 pub(crate) fn read(
@@ -17,15 +17,21 @@ pub(crate) fn read(
     count: usize,
     components: Components,
     (before, between): (u64, u64),
-) -> Result<Voxels, Error> {
+) -> Result<Stored, Error> {
     // A multiple of every sample size.
     const CHUNK: usize = 64 * 1024;
     let size = components.sample_size();
     let mut numbers: Vec<f32> = memory::reserve(report, Shared::<f32>::room(count))?;
     numbers.resize(count, 0.0);
+    let mut colors: Option<Vec<u32>> =
+        if components.are_colors() { Some(memory::reserve(report, Shared::<u32>::room(count))?) } else { None };
+    if let Some(colors) = &mut colors {
+        colors.resize(count, color_word(0, 0, 0, u8::MAX));
+    }
     let mut bytes = vec![0; CHUNK];
     for index in 0..components.needed() {
         stream::skip(report, reader, if index == 0 { before } else { before + between })?;
+        let mut first = 0;
         for voxels in numbers.chunks_mut(CHUNK / size) {
             let chunk = &mut bytes[..voxels.len() * size];
             let (found, outcome) = read_up_to(reader, chunk);
@@ -37,7 +43,13 @@ pub(crate) fn read(
             for (number, sample) in voxels.iter_mut().zip(chunk.chunks_exact(size)) {
                 *number = components.gathered(*number, index, sample);
             }
+            if let Some(words) = colors.as_mut().and_then(|colors| colors.get_mut(first..first + voxels.len())) {
+                for (word, sample) in words.iter_mut().zip(chunk.chunks_exact(size)) {
+                    *word = components.with_channel(*word, index, sample);
+                }
+            }
+            first += voxels.len();
         }
     }
-    Ok(numbers.into())
+    Ok(Stored { voxels: numbers.into(), colors: colors.map(Into::into) })
 }

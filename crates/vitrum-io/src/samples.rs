@@ -7,7 +7,7 @@ use half::f16;
 use crate::error::{Error, Report};
 use crate::memory;
 use crate::shared::Shared;
-use crate::voxels::Voxels;
+use crate::stored::Stored;
 
 /// Byte order of multi-byte samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,6 +130,8 @@ pub(crate) struct VoxelBuffer {
     voxels: Decoded,
     sample: SampleType,
     endian: Endian,
+    /// A colour for each voxel, where the file has colours.
+    pub colors: Option<Vec<u32>>,
 }
 
 impl VoxelBuffer {
@@ -139,15 +141,16 @@ impl VoxelBuffer {
             2 => Decoded::U16(memory::reserve(report, Shared::<u16>::room(count))?),
             _ => Decoded::F32(memory::reserve(report, Shared::<f32>::room(count))?),
         };
-        Ok(Self { voxels, sample, endian })
+        Ok(Self { voxels, sample, endian, colors: None })
     }
 
-    pub fn into_voxels(self) -> Voxels {
-        match self.voxels {
+    pub fn into_voxels(self) -> Stored {
+        let voxels = match self.voxels {
             Decoded::U8(voxels) => voxels.into(),
             Decoded::U16(voxels) => voxels.into(),
             Decoded::F32(voxels) => voxels.into(),
-        }
+        };
+        Stored { voxels, colors: self.colors.map(Into::into) }
     }
 
     /// Decodes up to `count` samples from `reader`.

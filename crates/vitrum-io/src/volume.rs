@@ -4,7 +4,9 @@ use crate::common_range::common_extremes;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
+use crate::shared::Shared;
 use crate::source::{Assumptions, Source};
+use crate::stored::Stored;
 use crate::voxels::Voxels;
 
 /// A scalar field on a regular grid, placed in the world.
@@ -16,6 +18,9 @@ pub struct Volume {
     pub dimensions: [u32; 3],
     /// The stored voxels.
     pub voxels: Voxels,
+    /// The colour of each voxel in sRGB, x fastest, where a volume has colours: red in the lowest byte of a word, green, blue, and in the highest
+    /// byte the factor of its extinction over 255. It is a factor of the colour that a transfer function gives.
+    pub colors: Option<Shared<u32>>,
     /// `physical = stored * value_scale + value_offset`.
     pub value_scale: f32,
     /// See [`Self::value_scale`].
@@ -59,9 +64,10 @@ impl Volume {
         name: String,
         dimensions: [u32; 3],
         spacing: [f32; 3],
-        voxels: Voxels,
+        voxels: impl Into<Stored>,
         slope: f32,
     ) -> Result<Self, Error> {
+        let Stored { voxels, colors } = voxels.into().seen();
         let report = Report::new(&name);
         check_count(report, dimensions, &voxels)?;
         check_spacing(report, spacing)?;
@@ -73,6 +79,7 @@ impl Volume {
         Ok(Self {
             dimensions,
             voxels,
+            colors,
             value_scale: 1.0,
             value_offset: 0.0,
             spacing,
@@ -91,13 +98,26 @@ impl Volume {
         name: String,
         dimensions: [u32; 3],
         spacing: [f32; 3],
-        voxels: Voxels,
+        voxels: impl Into<Stored>,
         sample: SampleType,
     ) -> Result<Self, Error> {
-        let volume = Self::new(name, dimensions, spacing, voxels)?;
+        let volume = Self::of_slope(name, dimensions, spacing, voxels, 1.0)?;
         let volume = Self { orientation: Orientation::Unknown, ..volume };
         let offset = sample.value_offset();
         if offset == 0.0 { Ok(volume) } else { volume.with_value_mapping(1.0, offset) }
+    }
+
+    /// The volume with a colour for each voxel, as [`Self::colors`] has them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] where the colours are not as many as the voxels.
+    pub fn with_colors(self, colors: Vec<u32>) -> Result<Self, Error> {
+        if colors.len() != self.voxels.len() {
+            let problem = format!("{} colours for {} voxels", colors.len(), self.voxels.len());
+            return Err(Report::new(&self.name).invalid(Place::File, problem, "give a colour for each voxel"));
+        }
+        Ok(Self { colors: Some(colors.into()), ..self })
     }
 
     /// The volume with other physical values, `physical = stored * scale + offset`.
@@ -157,10 +177,10 @@ impl Volume {
         self.voxels.len()
     }
 
-    /// Bytes of memory that the voxels take.
+    /// Bytes of memory that the voxels take, and their colours.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.voxels.bytes()
+        self.voxels.bytes() + self.colors.as_ref().map_or(0, |colors| size_of_val(&**colors))
     }
 
     /// Size of the grid in the world along each index axis, `dimensions * spacing`: from the outer face of the first voxel to the outer

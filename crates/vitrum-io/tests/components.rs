@@ -1,4 +1,4 @@
-//! Voxels of several components: colours by their luminance, vectors by their length, or one component.
+//! Voxels of several components: colours as they are and by their luminance, vectors by their length, or one component.
 
 mod common;
 
@@ -15,6 +15,11 @@ fn vectors() -> Vec<u8> {
 
 fn read(name: &str, bytes: &[u8], array: Option<&str>) -> Result<Volume, vitrum_io::Error> {
     open_bytes(name, bytes, &OpenOptions { array: array.map(str::to_owned), ..OpenOptions::default() })
+}
+
+/// The channels of each voxel's colour.
+fn colors(volume: &Volume) -> Vec<[u8; 4]> {
+    volume.colors.as_deref().expect("there are colours").iter().map(|color| color.to_le_bytes()).collect()
 }
 
 /// The same vectors in every format, as unsigned bytes, and a word of each format's name for one component.
@@ -97,7 +102,7 @@ fn vectors_are_shown_by_their_length() {
 }
 
 #[test]
-fn colours_are_shown_by_their_luminance_and_components_by_number() {
+fn colours_are_shown_as_they_are_and_components_by_number() {
     for (name, bytes) in files(true) {
         for asked in [None, Some("rgb")] {
             // Two voxels along an axis: a small array tells its components by being asked alone.
@@ -108,12 +113,40 @@ fn colours_are_shown_by_their_luminance_and_components_by_number() {
             let expected = 0.2126 * 2.0 + 0.7152 * 3.0 + 0.0722 * 6.0;
             assert!((values(&volume)[0] - expected).abs() < 1e-5, "{name}: {}", values(&volume)[0]);
             let told = volume.source.assumptions.facts().join("; ");
-            assert!(told.contains("the luminance was taken"), "{name}: {told}");
+            assert!(told.contains("colours are shown, and opacity goes by the luminance"), "{name}: {told}");
+            assert_eq!(
+                colors(&volume)[..4],
+                [[2, 3, 6, 255], [4, 4, 7, 255], [1, 2, 2, 255], [0, 0, 0, 255]],
+                "{name}"
+            );
         }
         let second = read(name, &bytes, Some("1")).or_else(|_| read(name, &bytes, Some("density:1")));
         let second = second.unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(values(&second)[..3], [3.0, 4.0, 2.0], "{name}");
+        assert_eq!(second.colors, None, "{name}");
     }
+}
+
+#[test]
+fn colours_of_16_bits_and_of_floats_become_bytes() {
+    let axes = "kinds: RGBA-color domain domain domain\n";
+    let header = |kind: &str| {
+        nrrd(kind, "raw", &format!("endian: little\n{axes}"))
+            .replace("dimension: 3", "dimension: 4")
+            .replace("sizes: 3 2 2", "sizes: 4 1 1 2")
+    };
+    let halves = [0_u16, 257, 65535, 514, 128, 129, 0, 65535].map(u16::to_le_bytes).concat();
+    let volume = read("a.nrrd", &attached(&header("uint16"), &halves), None).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(colors(&volume), [[0, 1, 255, 2], [0, 1, 0, 255]]);
+    let floats = [0.0_f32, 0.5, 1.0, 0.0, 7.0, -1.0, 0.25, 0.0].map(f32::to_le_bytes).concat();
+    let volume = read("a.nrrd", &attached(&header("float"), &floats), None).unwrap_or_else(|error| panic!("{error}"));
+    // Nobody has filled in an opacity.
+    assert_eq!(colors(&volume), [[0, 128, 255, 255], [255, 0, 64, 255]]);
+    let signed = read("a.nrrd", &attached(&header("int16"), &halves), None).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(signed.colors, None);
+    assert!(signed.source.assumptions.facts().join("; ").contains("colours of int16 are not shown"));
+    let cropped = volume.cropped(&[0..1, 0..1, 1..2]).expect("a part");
+    assert_eq!(colors(&cropped), [[255, 0, 64, 255]]);
 }
 
 #[test]
@@ -153,6 +186,7 @@ fn colours_with_opacity_and_vectors_in_planes_are_read_of_nifti() {
     let volume = read("a.nii", &file, None).unwrap_or_else(|error| panic!("{error}"));
     assert!((values(&volume)[0] - (0.2126 * 2.0 + 0.7152 * 3.0 + 0.0722 * 6.0)).abs() < 1e-5, "{:?}", values(&volume));
     assert_eq!(volume.source.sample_type, "4 x uint8");
+    assert_eq!(colors(&volume)[..2], [[2, 3, 6, 99], [4, 4, 7, 99]]);
     assert_eq!(values(&read("a.nii", &file, Some("3")).expect("opacity"))[..2], [99.0, 99.0]);
     // A displacement field: five dimensions, the fourth of size 1, with a slope of 2.
     let mut header = NiftiHeader::new(4, 2, false);
@@ -182,7 +216,7 @@ fn a_last_axis_of_3_is_of_components_where_no_volume_is_that_thin() {
     assert_eq!(colors.dimensions, [7, 6, 5]);
     assert!(values(&colors).iter().all(|value| (value - (0.2126 * 2.0 + 0.7152 * 4.0 + 0.0722 * 6.0)).abs() < 1e-5));
     let told = colors.source.assumptions.facts().join("; ");
-    assert!(told.contains("the luminance was taken") && told.contains("last but one"), "{told}");
+    assert!(told.contains("the luminance") && told.contains("last but one"), "{told}");
     // Points in time where these are asked for.
     let timed = OpenOptions { time: Some(4), ..OpenOptions::default() };
     let timed = open_bytes("a.npy", &npy("False", "5, 6, 7, 3", &bytes), &timed).expect("a time");

@@ -111,11 +111,11 @@ fn what_is_left_out_or_chosen_is_told() {
         assert!(facts.contains(words), "{words}: {facts}");
     };
     told(&read("a.vp", VP), "shading");
-    told(&read("a.xml", VTK), "opacity by gradients");
+    assert_eq!(read("a.xml", VTK).gradient, [(0.0, 0.25)]);
     told(&read("presets.xml", MRML), "2 transfer functions, `a`, `b`: the first was taken");
     let second = read_transfer_bytes("presets.xml", MRML.as_bytes(), Some("b")).expect("the second");
     assert_eq!((second.name.as_str(), second.range()), ("b", [7.0, 7.0]));
-    told(&second, "opacity by gradients");
+    assert_eq!(second.gradient, [(0.0, 0.0), (255.0, 1.0)]);
     told(&read("a.txt", "0 0 0 0\n1 255 0 0\n"), "up to 255");
     told(&read("a.txt", "1 1\n0 0\n"), "were sorted");
     told(&read("a.txt", "0 0\n1 1.5\n"), "1 values of the opacities are not between 0 and 1");

@@ -24,7 +24,7 @@ pub(crate) fn exposed(
     let Film { width, height, supersampling, refinement, refinement_budget, .. } = scene.film;
     let size = [width, height];
     let mut course = Course { method, cache, backend, progress, spent: Spent::default() };
-    let mut sum = Accumulator::new(method.outputs(), job.request.layers, exposures.len(), size);
+    let mut sum = Accumulator::new(method.outputs(), job.request.layers, exposures.len(), size)?;
     let refines = method.refines() && refinement > supersampling;
     let mut costly = refines.then(|| Costly::none(size));
     let mut statistics = course.expose(job, &exposures, &mut sum, costly.as_mut())?;

@@ -241,6 +241,20 @@ pub enum Unrenderable {
         /// The widest angle, in degrees.
         limit: f64,
     },
+    /// A second volume gives the index of refraction of a volume with colours.
+    #[error("{name} has colours, or factors by its gradient, and its index of refraction comes from another volume")]
+    ColorsBeside {
+        /// The volume with colours.
+        name: String,
+    },
+    /// A volume with colours, or with two-dimensional transfer functions, is larger than what the device takes in one piece.
+    #[error("{name}: {bytes} bytes of values and colours are more than the device takes in one piece")]
+    ColorsTooLarge {
+        /// The volume.
+        name: String,
+        /// Bytes of voxels and colours.
+        bytes: u64,
+    },
     /// Labels of parts are to be interpolated.
     #[error("volume.interpolation is \"cubic\", and the values of {name} are labels, which have nothing between them")]
     CubicLabels {
@@ -399,6 +413,13 @@ impl Unrenderable {
             Self::MaskHidesAll { .. } => "name some of them in `volume.mask.labels`".to_owned(),
             Self::NothingInvisible { .. } => {
                 "give `transfer.opacity` a point of opacity 0, with a white `filter` and the index of the surroundings"
+                    .to_owned()
+            }
+            Self::ColorsBeside { .. } => {
+                "leave `ior_volume` out, or show a volume without colours, and no `transfer.gradient`".to_owned()
+            }
+            Self::ColorsTooLarge { .. } => {
+                "leave `transfer.gradient` out, take one number of each colour (`--array norm`), or make the volume smaller by `vitrum convert`"
                     .to_owned()
             }
             Self::CubicLabels { .. } => "set `volume.interpolation = \"nearest\"`".to_owned(),

@@ -14,6 +14,8 @@ pub enum Format {
     F32,
     /// See [`F32WithIor`].
     F32WithIor,
+    /// See [`U16WithColor`].
+    U16WithColor,
     /// See [`U8Paged`].
     U8Paged,
     /// See [`U16Paged`].
@@ -26,25 +28,27 @@ pub enum Format {
 
 impl Format {
     /// All formats, in order of their numbers.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::U8,
         Self::U16,
         Self::F32,
         Self::F32WithIor,
+        Self::U16WithColor,
         Self::U8Paged,
         Self::U16Paged,
         Self::F32Paged,
         Self::F32WithIorPaged,
     ];
 
-    /// The format of the same voxels in pages.
+    /// The format of the same voxels in pages; `None` where colours belong to them, which come in one piece.
     #[must_use]
-    pub const fn paged(self) -> Self {
+    pub const fn paged(self) -> Option<Self> {
         match self {
-            Self::U8 | Self::U8Paged => Self::U8Paged,
-            Self::U16 | Self::U16Paged => Self::U16Paged,
-            Self::F32 | Self::F32Paged => Self::F32Paged,
-            Self::F32WithIor | Self::F32WithIorPaged => Self::F32WithIorPaged,
+            Self::U8 | Self::U8Paged => Some(Self::U8Paged),
+            Self::U16 | Self::U16Paged => Some(Self::U16Paged),
+            Self::F32 | Self::F32Paged => Some(Self::F32Paged),
+            Self::F32WithIor | Self::F32WithIorPaged => Some(Self::F32WithIorPaged),
+            Self::U16WithColor => None,
         }
     }
 
@@ -53,7 +57,7 @@ impl Format {
     pub const fn bytes(self) -> u64 {
         match self {
             Self::U8 | Self::U8Paged => 1,
-            Self::U16 | Self::U16Paged => 2,
+            Self::U16 | Self::U16WithColor | Self::U16Paged => 2,
             Self::F32 | Self::F32WithIor | Self::F32Paged | Self::F32WithIorPaged => 4,
         }
     }
@@ -73,10 +77,12 @@ pub trait VoxelFormat {
     const PAGED: bool;
     /// Whether a second volume, stored alike, gives the index of refraction.
     const SECOND: bool;
+    /// Whether a second volume on the same grid gives the colour of each voxel.
+    const COLORED: bool;
 }
 
 macro_rules! formats {
-    ($($(#[$doc:meta])* $name:ident: $bits:literal, $paged:literal, $second:literal;)*) => {
+    ($($(#[$doc:meta])* $name:ident: $bits:literal, $paged:literal, $second:literal, $colored:literal;)*) => {
         $(
             $(#[$doc])*
             pub struct $name;
@@ -85,6 +91,7 @@ macro_rules! formats {
                 const BITS: u32 = $bits;
                 const PAGED: bool = $paged;
                 const SECOND: bool = $second;
+                const COLORED: bool = $colored;
             }
         )*
     };
@@ -92,21 +99,24 @@ macro_rules! formats {
 
 formats! {
     /// Four unsigned bytes a word.
-    U8: 8, false, false;
+    U8: 8, false, false, false;
     /// Two unsigned 16-bit integers a word.
-    U16: 16, false, false;
+    U16: 16, false, false, false;
     /// One float a word.
-    F32: 32, false, false;
+    F32: 32, false, false, false;
     /// As [`F32`], with a second volume, also [`F32`], that gives the index of refraction.
-    F32WithIor: 32, false, true;
+    F32WithIor: 32, false, true, false;
+    /// As [`U16`], with a second volume on the same grid, four bytes a voxel: the voxel's colour in sRGB, red in the lowest byte, and the factor of its extinction over
+    /// 255 in the highest. See [`crate::field::colors`].
+    U16WithColor: 16, false, false, true;
     /// As [`U8`], in pages.
-    U8Paged: 8, true, false;
+    U8Paged: 8, true, false, false;
     /// As [`U16`], in pages.
-    U16Paged: 16, true, false;
+    U16Paged: 16, true, false, false;
     /// As [`F32`], in pages.
-    F32Paged: 32, true, false;
+    F32Paged: 32, true, false, false;
     /// As [`F32WithIor`], both volumes in pages.
-    F32WithIorPaged: 32, true, true;
+    F32WithIorPaged: 32, true, true, false;
 }
 
 /// Cubes of voxels that come to the device and leave it as a whole.

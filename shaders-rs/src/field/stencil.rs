@@ -22,9 +22,11 @@ pub struct Stencil {
 }
 
 /// Where a point lies among the voxels.
-struct Cell {
-    rows: Rows,
-    fraction: Vec3,
+pub struct Cell {
+    /// Where the voxels around it are stored.
+    pub rows: Rows,
+    /// Its distance from the nearest voxel before it along each axis, 0 to 1.
+    pub fraction: Vec3,
 }
 
 /// The voxel coordinates of a point of the view frame.
@@ -43,8 +45,9 @@ pub fn limit_to_grid(grid: &Grid, at: Vec3) -> Vec3 {
     )
 }
 
+/// Where voxel coordinates `at` lie among the voxels; beyond the grid, the nearest grid point.
 #[inline(always)]
-fn cell<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
+pub fn cell<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
     let at = limit_to_grid(grid, at);
     // On a voxel's centre interpolation gives that voxel.
     let at = if grid.nearest != 0 { at_centre(grid, at) } else { at };

@@ -89,6 +89,13 @@ pub fn pair<V: VoxelFormat>(voxels: &[u32], row: i32, columns: &Columns) -> (f32
     }
 }
 
+/// The words of voxels x and x + 1 of the row that starts at `row`, of a volume with a word for each voxel, beside one of 16 bits.
+#[inline(always)]
+pub fn words(voxels: &[u32], row: i32, columns: &Columns) -> (u32, u32) {
+    let Columns { at, shift } = columns;
+    (read(voxels, row + at[1] + (shift[2] >> 4) as i32), read(voxels, row + at[1] + (shift[3] >> 4) as i32))
+}
+
 /// Voxels x − 1 to x + 2 of the row that starts at `row`.
 #[inline(always)]
 pub fn quad<V: VoxelFormat>(voxels: &[u32], row: i32, columns: &Columns) -> (f32, f32, f32, f32) {

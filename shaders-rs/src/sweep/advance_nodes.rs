@@ -4,6 +4,7 @@
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Node, node as record, node_status as status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::field::colors::extinction_between;
 use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::math::{length, lerp, max, min, select, select_vector};
@@ -129,10 +130,13 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let front = front_of(&u.grid, scalar_from, here.scalar);
     let kept = keep(u, from, to);
     let path = crossing.path * u.step.inverse_reference_length;
+    let extinction = extinction_between::<V>(ior_voxels, &u.grid, voxel_from, voxel_to);
     let layer = if mode::is_clear(chosen) {
-        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles.length())
+        let attenuation = attenuation_of_particles(tables, front, here.scalar).thinned::<V>(extinction);
+        layer_of_particles(&attenuation, path * kept.particles.length())
     } else {
-        layer(&attenuation(tables, front, here.scalar), path * kept.particles.length(), path * kept.medium.length())
+        let attenuation = attenuation(tables, front, here.scalar).thinned::<V>(extinction);
+        layer(&attenuation, path * kept.particles.length(), path * kept.medium.length())
     };
 
     let mut out = arriving;

@@ -8,6 +8,7 @@
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::field::colors::tint_of;
 use crate::field::stencil::{front_of, voxel_coordinates};
 use crate::field::tables::segment;
 use crate::math::{clamp, length, lerp, max, select, select_vector, xyz};
@@ -146,6 +147,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let path = length(to - from) * filled.length() * part;
             let path = path * u.step.inverse_reference_length;
             let segment = segment(tables, front, next.scalar);
+            let tint = tint_of::<V>(ior_voxels, &u.grid, (voxel_from, voxel_to), &segment);
+            let segment = segment.tinted::<V>(&tint);
             let layer = layer(&segment, path * shares.particles.length(), path * shares.medium.length());
             let looks_for_isosurfaces = are_looked_for(u);
             let mut sheet_in = Sheet::NONE;
@@ -153,7 +156,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             if looks_for_isosurfaces {
                 let before_receiver = shares.particles.within(Span { start: 0.0, end: part });
                 let found = sheet(tables, front, next.scalar, before_receiver);
-                sheet_in = found.only_if(filled.length() > 0.0).within(filled);
+                sheet_in = found.only_if(filled.length() > 0.0).within(filled).tinted::<V>(&tint);
                 (layer, share) = layer.with(&sheet_in, segment.particles * (path * shares.particles.length()));
             }
             let light = if mode::is_on_texels(chosen) {
@@ -163,8 +166,19 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
                 let (clear, to) = (layer.clear, from + (to - from) * part);
                 let sheet = sheet_in.before(part);
                 let back = next.scalar;
-                let seen =
-                    Seen { from, to, front, back, segment: &segment, span, clear, sheet, share, looks_for_isosurfaces };
+                let seen = Seen {
+                    from,
+                    to,
+                    front,
+                    back,
+                    segment: &segment,
+                    span,
+                    clear,
+                    sheet,
+                    share,
+                    looks_for_isosurfaces,
+                    extinction: tint.extinction,
+                };
                 light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
             };
             let radiance = radiance(u, &light);

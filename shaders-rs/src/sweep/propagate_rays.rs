@@ -3,6 +3,7 @@
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::field::colors::tint_of;
 use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
 use crate::math::{length, lerp, max, min, select, select_vector};
@@ -191,6 +192,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     } else {
         segment(tables, front_of_layer, here.scalar)
     };
+    let tint = tint_of::<V>(ior_voxels, &u.grid, (voxel_from, voxel_to), &segment);
+    let segment = segment.tinted::<V>(&tint);
     let layer = if mode::is_clear(chosen) {
         layer_of_particles(&segment, path * kept.particles.length())
     } else {
@@ -203,7 +206,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         let before_receiver = kept.particles.within(Span { start: 0.0, end: part });
         let found = sheet(tables, front_of_layer, here.scalar, before_receiver);
         // Outside of the volume there is none.
-        sheet_in = found.only_if(filled.length() > 0.0).within(filled);
+        sheet_in = found.only_if(filled.length() > 0.0).within(filled).tinted::<V>(&tint);
         (layer, share) = layer.with(&sheet_in, segment.particles * (path * kept.particles.length()));
     }
 
@@ -232,6 +235,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             sheet: sheet_in.before(part),
             share,
             looks_for_isosurfaces,
+            extinction: tint.extinction,
         };
         light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
     };

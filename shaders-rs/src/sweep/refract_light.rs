@@ -5,6 +5,7 @@ use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Light, light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::{read, read_inside};
+use crate::field::colors::extinction_between;
 use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::kernel::skip::{Reach, Same};
@@ -139,10 +140,13 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let kept = keep(u, from, to);
     let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
     let path = length(to - from) * inside * u.step.inverse_reference_length;
+    let extinction = extinction_between::<V>(ior_voxels, &u.grid, voxel_from, voxel_to);
     let layer = if mode::is_clear(chosen) {
-        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles.length())
+        let attenuation = attenuation_of_particles(tables, front, here.scalar).thinned::<V>(extinction);
+        layer_of_particles(&attenuation, path * kept.particles.length())
     } else {
-        layer(&attenuation(tables, front, here.scalar), path * kept.particles.length(), path * kept.medium.length())
+        let attenuation = attenuation(tables, front, here.scalar).thinned::<V>(extinction);
+        layer(&attenuation, path * kept.particles.length(), path * kept.medium.length())
     };
     let mut clear = layer.clear;
     if LEVEL >= level::BORDER && are_looked_for(u) {

@@ -76,6 +76,7 @@ const LIT_ISOSURFACES: &str =
     "isosurfaces of opacity 0.4 and 1, lit at 0°, 60° and 180°: Σ τ c e^(−t) e^(−t cos θᵥ / cos θ) over their layers";
 const ISOSURFACE_SHADOWS: &str = "light behind an isosurface of opacity 0.3 that it crosses twice: 0.7²";
 const ISOSURFACE_SEELIGER: &str = "an opaque isosurface, lit at 60°: cos θ / (cos θ + cos θᵥ) (Seeliger)";
+const COLORS: &str = "a homogeneous cube whose voxels have a factor of extinction: 1 − (1 − α)^(factor · ℓ)";
 const SURFACE: &str = "a layer from 1 to 1.5 mirrors light from all sides by Fresnel, at 0° and 60°";
 const LENS: &str = "the ray step alone, exact gradients: Luneburg lens";
 const FISHEYE: &str = "the ray step alone: Maxwell's fisheye η = 2/(1 + r²) images a point";
@@ -204,6 +205,11 @@ lines! {
     SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.0372, 0.05;
     SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.022, 0.03;
     SURFACE_FURNACE: "a clear ball swept in light of radiance 1 from all sides has radiance 1, n = 1.3", "48³ voxels, surface four voxels thick", RADIANCE, 0.0016, 0.003;
+
+    COLORS_OPACITY: COLORS, "32³ voxels of one colour, planes every 0.37, 1, 2.5 voxels, at 0°, 30°, 45°", "the opacity", 1.0e-3, 2.0e-3;
+    GRADIENT_OPACITY: COLORS, "32³ voxels whose scalar rises evenly; a gradient opacity of ½", "the opacity", 1.0e-3, 2.0e-3;
+    COLORS_LIGHT: COLORS, "the light behind it, planes every ½ and 1 voxel", "the irradiance, relative", 1.0e-3, 2.0e-3;
+    COLORS_COLOR: "the colour of a voxel, of bytes in sRGB", "188, 100, 30", "the linear colour", 2.0e-3, 4.0e-3;
 
     OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;

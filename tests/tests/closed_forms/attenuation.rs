@@ -8,7 +8,7 @@ use vitrum_conformance::closed_forms::table::{self, larger};
 use vitrum_kernels::glam::DVec3;
 
 /// A cube of edge 2 with one scalar inside. A second scalar, in a corner, makes a range.
-fn homogeneous() -> Volume {
+pub fn homogeneous() -> Volume {
     let mut volume = cube(32, 2.0, |_| 1.0);
     if let Voxels::F32(voxels) = &mut volume.voxels {
         voxels.make_mut()[0] = 0.0;
@@ -17,7 +17,8 @@ fn homogeneous() -> Volume {
     volume
 }
 
-fn scene(azimuth: f32, sample_distance: f32) -> Scene {
+/// A scene of a homogeneous medium, seen by parallel rays.
+pub fn scene(azimuth: f32, sample_distance: f32) -> Scene {
     let mut scene = Scene::default();
     scene.transfer.reference_length = Some(0.5);
     scene.transfer.opacity = vec![OpacityPoint { value: 0.0, opacity: 0.3 }];

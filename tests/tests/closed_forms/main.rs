@@ -7,6 +7,7 @@ mod ambient;
 mod attenuation;
 mod ball;
 mod border;
+mod colors;
 mod crop;
 mod flux;
 mod gradients;

@@ -84,7 +84,7 @@ impl VolumeReader for Dicom {
         let mut voxels = VoxelBuffer::reserve(report, sample, Endian::Little, capacity)?;
         let ordered = grid.order(&slices);
         pixels::read(input, &series, &ordered, uniform, &mut voxels)?;
-        let mut voxels = voxels.into_voxels();
+        let mut voxels = voxels.into_voxels().voxels;
         assumptions.extend(padding::replace(&ordered, uniform, &mut voxels));
         let voxels = grid.resample(report, voxels, dimensions)?;
         assumptions.extend(sample.rounding_note());

@@ -23,11 +23,11 @@ use crate::packing::Members;
 use crate::reader::VolumeReader;
 use crate::samples::VoxelBuffer;
 use crate::source::{Assumptions, Source};
+use crate::stored::Stored;
 use crate::stream;
 use crate::text::{self, check_text_length};
 use crate::time::Times;
 use crate::volume::Volume;
-use crate::voxels::Voxels;
 
 /// The reader of `.mha` and `.mhd` files.
 pub(crate) struct MetaImage;
@@ -71,7 +71,7 @@ fn read_data(
     description: &mut Description,
     input: &Input,
     options: &OpenOptions,
-) -> Result<Voxels, Error> {
+) -> Result<Stored, Error> {
     let report = Report::new(&input.name);
     let files = data_files::locate(header, description, input, report)?;
     // A file of its own has that point alone.
@@ -79,7 +79,8 @@ fn read_data(
         description.times = Times { count: 1, chosen: 0 };
     }
     let (sample, endian, _) = components::decoded_as(description.sample, description.endian, description.components);
-    let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
+    let stored = components::stored_bytes(sample, description.components);
+    let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian, stored };
     let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
     let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);

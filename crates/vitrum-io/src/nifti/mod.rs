@@ -11,7 +11,7 @@ use std::io::Read;
 
 use self::header::Header;
 use self::layout::FIRST;
-use crate::components::{Components, decoded_as, fill};
+use crate::components::{Components, decoded_as, fill, stored_bytes};
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
@@ -23,10 +23,10 @@ use crate::planes;
 use crate::reader::VolumeReader;
 use crate::samples::{SampleType, VoxelBuffer, read_up_to};
 use crate::source::{Assumptions, Source};
+use crate::stored::Stored;
 use crate::stream;
 use crate::time::Times;
 use crate::volume::Volume;
-use crate::voxels::Voxels;
 
 /// The reader of `.nii` files and of pairs of `.hdr` and `.img`, each perhaps packed.
 pub(crate) struct Nifti;
@@ -142,7 +142,7 @@ impl Data<'_> {
         components: Option<Components>,
         options: &OpenOptions,
         assumptions: &mut Assumptions,
-    ) -> Result<Voxels, Error> {
+    ) -> Result<Stored, Error> {
         let Input { name, length, packing, .. } = self.input;
         let report = Report::new(name);
         let sizes = |index: usize| Place::Byte(header.layout.dim(index) as u64);
@@ -166,8 +166,8 @@ impl Data<'_> {
         } else {
             stream::check_ratio(report, start + all, *length, packing.ratio())?;
         }
-        let stored = if components.is_some() { SampleType::F32 } else { sample }.stored_size();
-        memory::check(report, count * stored as u64, options.max_bytes)?;
+        let stored = if components.is_some() { SampleType::F32 } else { sample };
+        memory::check(report, count * stored_bytes(stored, components), options.max_bytes)?;
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         // Extensions lie between the header and the data.
         stream::skip(report, &mut self.reader, start.saturating_sub(self.position))?;

@@ -45,7 +45,7 @@ pub(super) fn read(
         assumptions.push(format!("{} bytes behind the last voxel were left unread", there - all));
     }
     let stored = if components.is_some() { SampleType::F32 } else { sample };
-    memory::check(report, count * stored.stored_size() as u64, options.max_bytes)?;
+    memory::check(report, count * components::stored_bytes(stored, components), options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     let (voxels, left) = match components {
         Some(components) if beside.is_none() => {

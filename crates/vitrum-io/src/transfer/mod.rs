@@ -40,6 +40,8 @@ pub struct TransferFile {
     pub color: Vec<(f32, [f32; 3])>,
     /// Scalars in ascending order and opacities of a layer as thick as `unit_distance`. Empty where the file has none.
     pub opacity: Vec<(f32, f32)>,
+    /// Magnitudes of the gradient in ascending order and factors of opacity. Empty where they change nothing.
+    pub gradient: Vec<(f32, f32)>,
     /// The thickness of the layer that opacities are stated for, in world units, where the file states it.
     pub unit_distance: Option<f32>,
     /// Statements about gaps in the file, and about what was left out.
@@ -62,6 +64,7 @@ struct Found {
     name: String,
     colors: Colors,
     opacities: Opacities,
+    gradients: Opacities,
     unit_distance: Option<f64>,
     assumptions: Assumptions,
 }
@@ -120,7 +123,7 @@ pub fn read_transfer_bytes(file: &str, bytes: &[u8], name: Option<&str>) -> Resu
 
 /// The functions as they are used: finite, ascending, sampled where they are not linear.
 fn finish(report: Report, found: Found) -> Result<TransferFile, Error> {
-    let Found { format, name, colors, opacities, unit_distance, mut assumptions } = found;
+    let Found { format, name, colors, opacities, gradients, unit_distance, mut assumptions } = found;
     if colors.points.is_empty() && opacities.points.is_empty() {
         return Err(report.invalid(
             Place::File,
@@ -130,13 +133,17 @@ fn finish(report: Report, found: Found) -> Result<TransferFile, Error> {
     }
     let opacity = opacities.sampled(report, &mut assumptions)?;
     let color = colors.sampled(report, &mut assumptions)?;
+    let mut gradient = gradients.sampled(report, &mut assumptions)?;
+    if gradient.iter().all(|point| point.1 == 1.0) {
+        gradient.clear();
+    }
     let usable = |distance: &f64| distance.is_finite() && *distance > 0.0 && (*distance as f32).is_normal();
     let stated = unit_distance.is_some();
     let unit_distance = unit_distance.filter(usable).map(|distance| distance as f32);
     if stated && unit_distance.is_none() {
         assumptions.push("the distance that opacities are stated for is no distance: it was left out".to_owned());
     }
-    Ok(TransferFile { format, name, color, opacity, unit_distance, assumptions })
+    Ok(TransferFile { format, name, color, opacity, gradient, unit_distance, assumptions })
 }
 
 fn check_size(report: Report, bytes: u64) -> Result<(), Error> {

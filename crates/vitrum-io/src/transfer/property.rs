@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::curve::{Colors, Opacities, Point};
-use super::slicer::{LEFT_OUT, note_gradient_if};
+use super::slicer::LEFT_OUT;
 use super::{Found, paraview, pick};
 use crate::error::{Error, Place, Report, clip};
 
@@ -52,11 +52,10 @@ fn slicer(report: Report, properties: &[Value], name: Option<&str>) -> Result<Fo
     }
     found.unit_distance = component.get("scalarOpacityUnitDistance").and_then(Value::as_f64);
     let disabled = component.get("disableGradientOpacity").and_then(Value::as_bool).unwrap_or(false);
-    let gradient = component.get("gradientOpacity").and_then(|gradient| gradient.get("points"));
-    let gradient = gradient
-        .and_then(Value::as_array)
-        .is_some_and(|points| points.iter().any(|point| number(point, "y").is_some_and(|opacity| opacity != 1.0)));
-    note_gradient_if(gradient && !disabled, &mut found.assumptions);
+    if let Some(gradient) = component.get("gradientOpacity").filter(|_| !disabled) {
+        let points = points(report, gradient, "gradientOpacity", |point| Some([number(point, "y")?]))?;
+        found.gradients = Opacities { points };
+    }
     found.assumptions.push(LEFT_OUT.to_owned());
     Ok(found)
 }

@@ -21,25 +21,18 @@ pub(super) fn read(report: Report, text: &str) -> Result<Found, Error> {
         return Err(report.invalid(Place::File, problem, advice));
     };
     found.opacities = opacities(report, opacity.0, opacity.1)?;
-    note_gradient(gradient.1, &mut found.assumptions);
+    found.gradients = gradients(report, gradient.0, gradient.1, &mut found.assumptions);
     found.colors = colors(report, color.0, color.1)?;
     found.assumptions.push(LEFT_OUT.to_owned());
     Ok(found)
 }
 
-/// Tells that opacities of gradients are left out, where they are not 1 everywhere.
-pub(super) fn note_gradient(text: &str, assumptions: &mut Assumptions) {
-    let values = text.split_whitespace().skip(1).filter_map(|word| word.parse::<f64>().ok());
-    let changes = values.skip(1).step_by(2).any(|opacity| opacity != 1.0);
-    note_gradient_if(changes, assumptions);
-}
-
-/// As [`note_gradient`], where it is known whether they change anything.
-pub(super) fn note_gradient_if(changes: bool, assumptions: &mut Assumptions) {
-    const FACT: &str = "left out: the opacity by gradients, as scalars alone decide here";
-    if changes && assumptions.iter().all(|told| told.fact != FACT) {
-        assumptions.push(FACT.to_owned());
-    }
+/// Factors of opacity at magnitudes of the gradient, written as opacities are; none where they are no such list, which is told.
+pub(super) fn gradients(report: Report, place: Place, text: &str, assumptions: &mut Assumptions) -> Opacities {
+    opacities(report, place, text).unwrap_or_else(|_| {
+        assumptions.push("left out: the opacity by gradients, which is no list of numbers".to_owned());
+        Opacities::default()
+    })
 }
 
 /// A count of numbers, then pairs of a scalar and an opacity.

@@ -6,7 +6,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use super::curve::Point;
 use super::paraview::space_of;
-use super::slicer::{self, LEFT_OUT, note_gradient, note_gradient_if};
+use super::slicer::{self, LEFT_OUT};
 use super::{Found, check_points, pick};
 use crate::error::{Error, Place, Report, clip};
 
@@ -239,9 +239,9 @@ impl Collector<'_> {
         }
         let x = tag.number(report, "x")?;
         if self.gradient {
-            let changes = tag.number(report, "Value")? != 1.0;
+            let factor = Point::new(x, [tag.number(report, "Value")?], place);
             if let Some(set) = self.sets.last_mut() {
-                note_gradient_if(changes, &mut set.assumptions);
+                set.gradients.points.push(factor.bent(bent.0, bent.1));
             }
             return Ok(());
         }
@@ -272,10 +272,13 @@ impl Collector<'_> {
         let (Some(opacity), Some(color)) = (tag.get("scalarOpacity"), tag.get("colorTransfer")) else { return Ok(()) };
         let opacities = slicer::opacities(self.report, tag.place, opacity)?;
         let colors = slicer::colors(self.report, tag.place, color)?;
+        let report = self.report;
         let set = self.add("3D Slicer MRML", tag.get("name").unwrap_or_default());
         (set.opacities, set.colors) = (opacities, colors);
         set.unit_distance = tag.get("scalarOpacityUnitDistance").and_then(|text| text.trim().parse().ok());
-        note_gradient(tag.get("gradientOpacity").unwrap_or_default(), &mut set.assumptions);
+        if let Some(gradient) = tag.get("gradientOpacity") {
+            set.gradients = slicer::gradients(report, tag.place, gradient, &mut set.assumptions);
+        }
         set.assumptions.push(LEFT_OUT.to_owned());
         Ok(())
     }

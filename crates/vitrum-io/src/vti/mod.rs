@@ -25,10 +25,10 @@ use crate::options::{OpenOptions, Part};
 use crate::reader::VolumeReader;
 use crate::samples::{Endian, VoxelBuffer};
 use crate::source::Source;
+use crate::stored::Stored;
 use crate::stream;
 use crate::text;
 use crate::volume::Volume;
-use crate::voxels::Voxels;
 
 /// The reader of `.vti` files.
 pub(crate) struct Vti;
@@ -70,7 +70,7 @@ impl Vti {
     }
 }
 
-fn read_data(description: &Description, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
+fn read_data(description: &Description, input: &Input, options: &OpenOptions) -> Result<Stored, Error> {
     let report = Report::new(&input.name);
     let unreadable = |error| report.unreadable(error);
     let (count, bytes) = (description.voxel_count(), description.data_bytes);
@@ -79,7 +79,8 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
     file.seek(SeekFrom::Start(description.start)).map_err(unreadable)?;
     let mut characters = file.take(description.length);
     let (sample, endian, size) = components::decoded_as(description.sample, description.endian, description.components);
-    let memory = || memory::check(report, count * sample.stored_size() as u64, options.max_bytes);
+    let memory =
+        || memory::check(report, count * components::stored_bytes(sample, description.components), options.max_bytes);
     let reserve = || {
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);
         let voxels = VoxelBuffer::reserve(report, sample, endian, capacity)?;

@@ -19,10 +19,10 @@ use crate::options::{OpenOptions, Part};
 use crate::reader::VolumeReader;
 use crate::samples::{Endian, VoxelBuffer};
 use crate::source::Source;
+use crate::stored::Stored;
 use crate::stream;
 use crate::text;
 use crate::volume::Volume;
-use crate::voxels::Voxels;
 
 /// The reader of `.vtk` files.
 pub(crate) struct Vtk;
@@ -56,7 +56,7 @@ impl VolumeReader for Vtk {
     }
 }
 
-fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
+fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Stored, Error> {
     let report = Report::new(&input.name);
     let unreadable = |error| report.unreadable(error);
     let start = header.length;
@@ -68,7 +68,7 @@ fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Vo
     } else {
         text::check_text_length(report, count, start, there)?;
     }
-    memory::check(report, count * sample.stored_size() as u64, options.max_bytes)?;
+    memory::check(report, count * components::stored_bytes(sample, header.components), options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     let mut voxels = VoxelBuffer::reserve(report, sample, endian, count)?;
     let mut reader = input.open()?;

@@ -2,11 +2,12 @@
 
 use super::output::{Blend, Output, PixelFilter};
 use super::resolve::RayRecords;
+use crate::error::Error;
 use crate::method::{Exposure, Part};
 use crate::parts::Rectangle;
 use crate::request::Layers;
 use rayon::prelude::*;
-use vitrum_io::{Channel, Layer, Picture};
+use vitrum_io::{Channel, Layer, Picture, require_memory};
 use vitrum_kernels::sweep::place::COLUMN_BITS;
 
 /// The sum of the exposures so far.
@@ -76,10 +77,16 @@ enum Rule {
 
 impl Accumulator {
     /// The empty sum of `count` exposures of a picture of `size` pixels, by a method with these outputs, of which `wanted` are summed up.
-    pub fn new(outputs: &'static [Output], wanted: Layers, count: usize, size: [u32; 2]) -> Self {
+    ///
+    /// # Errors
+    /// Where the memory does not suffice.
+    pub fn new(outputs: &'static [Output], wanted: Layers, count: usize, size: [u32; 2]) -> Result<Self, Error> {
         let outputs: Vec<&Output> =
             outputs.iter().filter(|output| !output.channels.is_empty() && wanted.has(output.name)).collect();
         let pixels = size[0] as usize * size[1] as usize;
+        let channels: u64 = outputs.iter().map(|output| output.channels.len() as u64).sum();
+        let [width, height] = size;
+        require_memory(&format!("a film of {width} x {height} pixels"), 4 * channels * pixels as u64)?;
         let channel = |&(name, _): &(&str, usize)| Channel { name: name.to_owned(), data: vec![0.0; pixels] };
         let layer = |output: &&Output| Layer {
             name: output.name.to_owned(),
@@ -87,7 +94,7 @@ impl Accumulator {
         };
         let layers = outputs.iter().map(layer).collect();
         let current = Current { weights: [0.0; 3], is_whole: false, is_first: false, is_nearest: false };
-        Self { outputs, count, layers, width: size[0], light: None, nearest: f64::INFINITY, current }
+        Ok(Self { outputs, count, layers, width, light: None, nearest: f64::INFINITY, current })
     }
 
     /// Begins with the parts of exposure number `index`.
@@ -182,5 +189,21 @@ fn weight(weights: [f32; 3], name: &str, channel: usize) -> f32 {
     match name {
         "R" | "G" | "B" => weights[channel],
         _ => (weights[0] + weights[1] + weights[2]) / 3.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method;
+    use crate::scene::MethodName;
+
+    #[test]
+    fn a_film_beyond_the_memory_is_refused_before_it_is_made() {
+        let outputs = method::of(MethodName::Sweep).outputs();
+        let made = |size| Accumulator::new(outputs, Layers::color(), 1, size).map(|sum| sum.layers.len());
+        assert_eq!(made([4, 3]).ok(), Some(1));
+        let told = made([1 << 24, 1 << 24]).expect_err("four petabytes").to_string();
+        assert!(told.contains("a film of 16777216 x 16777216 pixels"), "{told}");
     }
 }

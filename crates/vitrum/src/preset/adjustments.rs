@@ -4,11 +4,11 @@ use super::hounsfield::{in_studio, layer, may_be_hounsfield};
 use super::subject::Subject;
 use super::surfaces::{self, Surface};
 use super::{PresetError, find, forget_light_grid, labels, points};
-use crate::scene::{ColorPoint, OpacityPoint, Scene, TransferFunction};
+use crate::scene::{ColorPoint, GradientFunction, GradientPoint, OpacityPoint, Scene, TransferFunction};
 use vitrum_io::Volume;
 use vitrum_io::transfer::TransferFile;
 
-/// Changes of a transfer function, applied in the order window, threshold, map of colours, isosurfaces.
+/// Changes of a transfer function, applied in the order window, threshold, map of colours, isosurfaces, gradients.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Adjustments {
     /// Everything below is nothing. A preset is fitted to the values above, without a window.
@@ -19,6 +19,8 @@ pub struct Adjustments {
     pub colormap: Option<String>,
     /// Isosurfaces beside the function.
     pub isosurfaces: Vec<Surface>,
+    /// Factors of opacity at magnitudes of the gradient, for all values.
+    pub gradient: Vec<GradientPoint>,
 }
 
 impl Adjustments {
@@ -74,6 +76,9 @@ impl Adjustments {
             points::recolor(scene, name, [low, shown[1]]);
         }
         surfaces::add(&self.isosurfaces, scene);
+        if !self.gradient.is_empty() {
+            scene.transfer.gradient.push(GradientFunction::of_opacity(self.gradient.clone()));
+        }
     }
 }
 
@@ -119,6 +124,10 @@ pub fn fit(
         notes.extend(note);
     }
     forget_light_grid(scene);
+    // Voxels with colours show their own.
+    if volume.colors.is_some() {
+        scene.transfer.color.clear();
+    }
     let usual = preset.table.map_or_else(|| points::range(scene, volume), |table| ends(table.window));
     adjustments.apply(volume, usual, cut, scene);
     Ok(notes)
@@ -166,6 +175,11 @@ pub fn fit_file(
         filter: Vec::new(),
         ..TransferFunction::default()
     };
+    if !file.gradient.is_empty() {
+        let points =
+            file.gradient.iter().map(|&(magnitude, factor)| GradientPoint { magnitude: magnitude.max(0.0), factor });
+        scene.transfer.gradient = vec![GradientFunction::of_opacity(points.collect())];
+    }
     if file.opacity.is_empty() {
         // A map of colours alone: the opacity rises with them.
         let [low, high] = file.range();
@@ -215,6 +229,10 @@ pub fn transfer_file(scene: &Scene, volume: &Volume) -> (TransferFile, Vec<Strin
     }
     if !scene.isosurface.is_empty() {
         left_out.push("left out: isosurfaces, which a transfer function does not have".to_owned());
+    }
+    if !scene.transfer.gradient.is_empty() {
+        left_out
+            .push("left out: factors of opacity at the gradient's magnitude, which colour maps do not have".to_owned());
     }
     if !filter.is_empty() {
         left_out.push("left out: the filter of the clear medium, which other programs do not have".to_owned());

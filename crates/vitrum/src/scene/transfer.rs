@@ -1,6 +1,6 @@
 //! Transfer functions: piecewise linear over the physical scalar.
 
-use super::{Rgb, Scene};
+use super::{GradientFunction, Rgb, Scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use vitrum_io::Volume;
@@ -84,6 +84,10 @@ pub struct TransferFunction {
     pub ior: Vec<IorPoint>,
     /// Transmittance of the clear medium that particles float in; white if empty.
     pub filter: Vec<ColorPoint>,
+    /// The second dimension: factors of opacity and colour at the magnitude of the scalar's gradient. The voxels are then stored in 16 bits with four bytes
+    /// of factors each, in one piece, and one scalar gives colour and index of refraction, smoothed by the larger of the two radii above.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gradient: Vec<GradientFunction>,
 }
 
 impl Scene {

@@ -1,5 +1,6 @@
 //! A volume on a finer grid, by the cubic spline through its values: linear interpolation there is nearly the cubic one of the volume.
 
+use super::colors;
 use super::spline::{AROUND, Between, curvatures, evaluate};
 use crate::error::Error;
 use crate::scene::Scene;
@@ -67,7 +68,8 @@ pub(super) fn refined(volume: &Volume, factors: Factors) -> Result<Volume, Error
         Voxels::U8(values) => Voxels::from(spline.run(|index| f32::from(values[index]), in_words)),
         Voxels::U16(values) => Voxels::from(spline.run(|index| f32::from(values[index]), in_words)),
     };
-    let mut made = Volume { voxels, ..volume.clone() };
+    let colors = volume.colors.as_ref().map(|own| colors::refined(own, volume.dimensions, factors).into());
+    let mut made = Volume { voxels, colors, ..volume.clone() };
     if voxel_bytes(volume) == 2 {
         (made.value_scale, made.value_offset) = (step * scale, low * scale + offset);
     }

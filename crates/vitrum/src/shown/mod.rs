@@ -1,7 +1,9 @@
 //! The volumes that a picture is made of, where they are not those that were read: without noise, without specks, without what a mask hides, on a finer grid.
 
 mod clear;
+pub(crate) mod colors;
 mod cubic;
+mod halves;
 mod mask;
 pub(crate) mod runs;
 mod slab;
@@ -13,16 +15,18 @@ pub(crate) mod visible;
 use crate::assets::Assets;
 use crate::error::Error;
 use crate::preset::{self, Landmarks, Noise};
-use crate::scene::{Interpolation, Scene};
+use crate::scene::{GradientFunction, Interpolation, Scene};
 use crate::subject::{Subject, Volumes};
 use crate::unrenderable::Unrenderable;
 use clear::clear_ranges;
+use colors::with_gradients;
+use halves::{in_halves, told_apart};
 use mask::{Hidden, masked};
 use smoothing::smoothed;
 use specks::without_specks;
 use std::sync::Arc;
 use visible::{By, Visible};
-use vitrum_io::Volume;
+use vitrum_io::{Volume, Voxels};
 
 /// How the volumes of a scene are changed before they are shown.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -35,6 +39,10 @@ pub(crate) struct Changes {
     specks: Option<(u32, Visible)>,
     /// What a mask hides.
     hidden: Option<Hidden>,
+    /// The second dimension of the transfer functions.
+    gradient: Vec<GradientFunction>,
+    /// The ends of the values, where floats have colours.
+    halves: Option<[f32; 2]>,
 }
 
 /// The noise that is taken for granted where a filter is asked for and no more is measured, as a share of the way from `air` to `soft`.
@@ -83,7 +91,13 @@ impl Changes {
             let by = if volumes.ior.is_some() { [By::Absorption, By::Bending] } else { [By::Both; 2] };
             Hidden::new(mask, by.map(|by| clear_ranges(scene, by, || volumes.shown.common_range())))
         });
-        Self { opacity: transfer.opacity_smoothing, ior, specks, hidden }
+        // With colours there is one scalar.
+        let colored = !transfer.gradient.is_empty() || volumes.shown.colors.is_some();
+        let opacity = if colored { transfer.opacity_smoothing.max(ior) } else { transfer.opacity_smoothing };
+        let ior = if colored { opacity } else { ior };
+        let floats = matches!(volumes.shown.voxels, Voxels::F32(_));
+        let halves = (colored && floats).then(|| told_apart(scene, volumes.shown));
+        Self { opacity, ior, specks, hidden, gradient: transfer.gradient.clone(), halves }
     }
 
     /// The subject of `assets` with these changes; `None` where nothing changes.
@@ -95,17 +109,30 @@ impl Changes {
             return Ok(None);
         }
         let Some(smoothed) = self.whole(&assets.subject)? else { return Ok(None) };
-        let Some(hidden) = &self.hidden else { return Ok(Some(smoothed)) };
+        let subject = self.unhidden(assets, smoothed)?;
+        let Subject::Volume(mut volume) = subject else { return Ok(Some(subject)) };
+        if !self.gradient.is_empty() {
+            volume = Arc::new(with_gradients(&volume, &self.gradient)?);
+        }
+        if let Some(ends) = self.halves {
+            volume = Arc::new(in_halves(&volume, ends)?);
+        }
+        Ok(Some(Subject::Volume(volume)))
+    }
+
+    /// The smoothed subject without what a mask hides.
+    fn unhidden(&self, assets: &Assets, smoothed: Subject) -> Result<Subject, Error> {
+        let Some(hidden) = &self.hidden else { return Ok(smoothed) };
         let mask = assets.mask.as_ref().ok_or(Unrenderable::NoMask)?;
         // What is smoothed would blur the mask's edge: it is hidden afterwards.
         let without = |volume: &Volume, clear: &[[f32; 2]]| masked(volume, mask, hidden, clear).map(Arc::new);
-        Ok(Some(match &smoothed {
+        Ok(match &smoothed {
             Subject::Volumes { shown, ior } => {
                 Subject::Volumes { shown: without(shown, &hidden.shown)?, ior: without(ior, &hidden.bending)? }
             }
             Subject::Volume(volume) => Subject::Volume(without(volume, &hidden.shown)?),
-            Subject::Mesh(_) => return Ok(None),
-        }))
+            Subject::Mesh(_) => smoothed,
+        })
     }
 
     /// The subject without noise and specks; `None` of a mesh.

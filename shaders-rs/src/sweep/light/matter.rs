@@ -49,6 +49,8 @@ pub struct Seen<'a> {
     pub share: f32,
     /// Whether there may be isosurfaces.
     pub looks_for_isosurfaces: bool,
+    /// The factor of extinction that its voxels have.
+    pub extinction: f32,
 }
 
 /// Where particles are seen in a segment.
@@ -127,7 +129,7 @@ struct Way {
     medium: Vec3,
 }
 
-/// The way of light from `start` to a point and its scalar, `length` world units behind.
+/// The way of light from `start` to a point and its scalar, `length` world units behind. Voxels' factor of `extinction` is taken to be the same on it.
 #[inline(always)]
 fn behind<V: VoxelFormat>(
     u: &SweepUniforms,
@@ -135,7 +137,7 @@ fn behind<V: VoxelFormat>(
     (voxels, tables): (&[u32], &[u32]),
     start: Vec3,
     (end, back): (Vec3, f32),
-    length: f32,
+    (length, extinction): (f32, f32),
 ) -> Way {
     let front = scalar::<V>(voxels, &u.grid, voxel_coordinates(&u.grid, start));
     let path = length * u.step.inverse_reference_length;
@@ -145,6 +147,7 @@ fn behind<V: VoxelFormat>(
     } else {
         attenuation(tables, front, back)
     };
+    let attenuation = attenuation.thinned::<V>(extinction);
     let left = if mode::is_clear(chosen) {
         layer_of_particles(&attenuation, path * filled)
     } else {
@@ -176,9 +179,9 @@ pub fn light_in_matter<V: VoxelFormat>(
     let dense = select(seen.sheet.depth > 0.0, 1.0, dense);
     let nearer = apart * dense;
     let start = at - from_frame(w, unrefracted_direction(w, inside)) * nearer;
-    let near = behind::<V>(u, chosen, (voxels, tables), start, (at, back), nearer);
+    let near = behind::<V>(u, chosen, (voxels, tables), start, (at, back), (nearer, seen.extinction));
     let far = start - (at - start);
-    let beyond = behind::<V>(u, chosen, (voxels, tables), far, (start, near.scalar), nearer);
+    let beyond = behind::<V>(u, chosen, (voxels, tables), far, (start, near.scalar), (nearer, seen.extinction));
     let path = nearer * unit;
     let clear = near.clear * beyond.clear;
     let medium = near.medium * beyond.medium;

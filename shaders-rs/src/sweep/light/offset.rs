@@ -30,8 +30,10 @@ pub fn pack(u: &SweepUniforms, v: Vec3) -> f32 {
 pub fn pack_difference(x: f32, y: f32) -> f32 {
     let units = |difference: f32| floor_to_int(absolute(difference) * SCALE + 0.5, 0.0, 2.0 * SCALE);
     let across = if x < 0.0 { NONE - units(x) } else { NONE + units(x) };
-    let sign = if y < 0.0 { 1u32 << 31 } else { 0 };
-    f32::from_bits(sign | (((units(y) + LEAST) as u32) << 16) | across as u32)
+    let up = units(y);
+    // A zero has no sign: devices round a difference of nearly nothing to either side.
+    let sign = if (y < 0.0) & (up > 0) { 1u32 << 31 } else { 0 };
+    f32::from_bits(sign | (((up + LEAST) as u32) << 16) | across as u32)
 }
 
 /// The initial direction.

@@ -127,6 +127,7 @@ fn json(volume: &Volume) -> serde_json::Value {
         "histogram": volume.histogram(BINS),
         "histogram_parts": values::json_parts(volume),
         "percentiles": values::json_percentiles(volume),
+        "gradients": values::json_gradients(volume),
         "landmarks": values::json_landmarks(volume),
         "noise": values::json_noise(volume),
         "preset": values::json_preset(volume),

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use vitrum::io::{Moments, Volume, Voxels};
-use vitrum::preset::{Choice, Noise, choose, landmarks, noise, percentiles};
+use vitrum::preset::{Choice, Noise, choose, gradient_percentiles, landmarks, noise, percentiles};
 
 /// Parts of the histogram that are told with their counts.
 const PARTS: usize = 16;
@@ -19,6 +19,9 @@ const SHARES: [(&str, f64); 9] = [
     ("99", 0.99),
     ("99.9", 0.999),
 ];
+
+/// Shares of the voxels whose gradient's magnitude is told, and their names.
+const GRADIENT_SHARES: [(&str, f64); 5] = [("50", 0.5), ("75", 0.75), ("90", 0.9), ("99", 0.99), ("99.9", 0.999)];
 
 /// A part of the values, and the number of voxels in it.
 struct Part {
@@ -77,6 +80,10 @@ pub fn rows(volume: &Volume) -> Vec<(&'static str, String)> {
     let values = percentiles(volume, SHARES.map(|(_, share)| share));
     let text = SHARES.iter().zip(values).map(|((name, _), value)| format!("{name} %: {}", number(value)));
     rows.push(("percentiles", text.collect::<Vec<_>>().join(", ")));
+    let values = gradient_percentiles(volume, GRADIENT_SHARES.map(|(_, share)| share));
+    let text = GRADIENT_SHARES.iter().zip(values).map(|((name, _), value)| format!("{name} %: {}", number(value)));
+    let text = text.collect::<Vec<_>>().join(", ");
+    rows.push(("gradients", format!("{text}  (changes over a voxel; --gradient-opacity takes them)")));
     let text = landmarks(volume).named().map(|(name, value)| format!("{name} {}", number(value)));
     rows.push(("landmarks", format!("{}  (of presets; --threshold takes a value)", text.join(", "))));
     rows.push(("noise", told_noise(noise(volume))));
@@ -131,6 +138,12 @@ pub fn json_parts(volume: &Volume) -> Value {
 pub fn json_percentiles(volume: &Volume) -> Value {
     let values = percentiles(volume, SHARES.map(|(_, share)| share));
     let entries = SHARES.iter().zip(values).map(|((name, _), value)| ((*name).to_owned(), json!(value)));
+    Value::Object(entries.collect::<Map<_, _>>())
+}
+
+pub fn json_gradients(volume: &Volume) -> Value {
+    let values = gradient_percentiles(volume, GRADIENT_SHARES.map(|(_, share)| share));
+    let entries = GRADIENT_SHARES.iter().zip(values).map(|((name, _), value)| ((*name).to_owned(), json!(value)));
     Value::Object(entries.collect::<Map<_, _>>())
 }
 

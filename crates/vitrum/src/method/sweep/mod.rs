@@ -178,7 +178,7 @@ impl Sweep {
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let volumes = volumes(assets)?;
-        let mut cache = FrameCache::holding(Arc::new(UploadedVolumes::streamed(volumes)));
+        let mut cache = FrameCache::holding(Arc::new(UploadedVolumes::streamed(volumes)?));
         Self::of(scene, volumes, assets.environment.as_deref(), (request, None), &mut cache, backend)
     }
 

@@ -120,6 +120,10 @@ impl Geometry {
 /// # Errors
 /// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
 pub(super) fn check(scene: &Scene, volumes: Volumes<'_>, map: Option<&Picture>) -> Result<(), Error> {
+    let colored = volumes.shown.colors.is_some() || !scene.transfer.gradient.is_empty();
+    if colored && volumes.ior.is_some() {
+        return Err(Unrenderable::ColorsBeside { name: volumes.shown.name.clone() }.into());
+    }
     let view = View::new(scene, volumes.shown);
     super::light::check(scene, Bounds::from(volumes.shown), map)?;
     for exposure in lights::sweep_exposures(scene, map, Bounds::from(volumes.shown)) {

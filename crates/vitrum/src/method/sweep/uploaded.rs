@@ -2,15 +2,16 @@
 
 use super::occupancy::Ranges;
 use super::voxels::{chosen_format, fit, upload};
-use crate::backend::{Backend, Buffer};
+use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
 use crate::subject::Volumes;
+use crate::unrenderable::Unrenderable;
 use vitrum_kernels::abi::format::Format;
 
 /// A frame's volumes on a backend, which stay the same while scene and camera change.
 #[derive(Debug)]
 pub struct UploadedVolumes {
-    /// The voxels of the volume and of the second one, or the same buffer twice; `None` if they are streamed.
+    /// The voxels of the volume and of the second one, its colours in place of that, or the same buffer twice; `None` if they are streamed.
     pub(super) voxels: Option<[Buffer; 2]>,
     pub(super) format: Format,
     /// Whether streamed voxels take the least memory, not as much as the limit allows.
@@ -24,17 +25,18 @@ impl UploadedVolumes {
     /// Uploads the volumes, or prepares to stream them if they exceed the backend's limits.
     ///
     /// # Errors
-    /// If the backend fails.
+    /// If the backend fails, or colours do not fit into it, which are not streamed.
     pub fn new(volumes: Volumes<'_>, backend: &mut dyn Backend) -> Result<Self, Error> {
         let Volumes { shown, ior: bending } = volumes;
         let format = chosen_format(shown, bending);
         if !fit(volumes, format, backend) {
-            return Ok(Self { tight: false, ..Self::streamed(volumes) });
+            return Ok(Self { tight: false, ..Self::streamed(volumes)? });
         }
         let voxels = upload(shown, format, backend)?;
-        let ior_voxels = match bending {
-            None => voxels.clone(),
-            Some(bending) => upload(bending, format, backend)?,
+        let ior_voxels = match (bending, &shown.colors) {
+            (Some(bending), _) => upload(bending, format, backend)?,
+            (None, Some(colors)) => backend.create("colours", Contents::Bytes(bytemuck::cast_slice(colors)))?,
+            (None, None) => voxels.clone(),
         };
         let ior_ranges = bending.map(Ranges::new);
         let ranges = Ranges::new(shown);
@@ -42,10 +44,15 @@ impl UploadedVolumes {
     }
 
     /// Prepares to stream the volumes in the least memory, however small they are.
-    #[must_use]
-    pub fn streamed(volumes: Volumes<'_>) -> Self {
+    ///
+    /// # Errors
+    /// [`Unrenderable::ColorsTooLarge`] of a volume with colours, which come in one piece.
+    pub fn streamed(volumes: Volumes<'_>) -> Result<Self, Error> {
         let Volumes { shown, ior: bending } = volumes;
-        let format = chosen_format(shown, bending).paged();
-        Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) }
+        let Some(format) = chosen_format(shown, bending).paged() else {
+            let bytes = 8 * shown.voxel_count() as u64;
+            return Err(Unrenderable::ColorsTooLarge { name: shown.name.clone(), bytes }.into());
+        };
+        Ok(Self { voxels: None, format, tight: true, ranges: Ranges::new(shown), ior_ranges: bending.map(Ranges::new) })
     }
 }

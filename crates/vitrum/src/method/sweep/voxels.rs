@@ -20,10 +20,12 @@ const FINEST_BRICK: u32 = 2;
 /// the voxels' memory.
 const MOST_BRICKS: u64 = 1 << 23;
 
-/// The format in which a volume is stored on the device, and with which kernels read it; `ior` is the second volume, if there is one.
+/// The format in which a volume is stored on the device, and with which kernels read it; `ior` is the second volume, if there is one. Floats with colours have
+/// been made 16 bits wide before ([`crate::shown`]); colours of others do not count.
 pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
     match (&shown.voxels, ior) {
         (_, Some(_)) => Format::F32WithIor,
+        (Voxels::U8(_) | Voxels::U16(_), None) if shown.colors.is_some() => Format::U16WithColor,
         (Voxels::U8(_), None) => Format::U8,
         (Voxels::U16(_), None) => Format::U16,
         (Voxels::F32(_), None) => Format::F32,
@@ -39,7 +41,8 @@ pub(super) fn bytes(volume: &Volume, stored: Format) -> u64 {
 pub(super) fn fit(volumes: Volumes<'_>, stored: Format, backend: &dyn Backend) -> bool {
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
     let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * stored.bytes());
-    let sizes = volumes.iter().map(|volume| bytes(volume, stored));
+    let colors = volumes.shown.colors.as_ref().map(|colors| colors.len() as u64 * 4);
+    let sizes = volumes.iter().map(|volume| bytes(volume, stored)).chain(colors);
     sizes.clone().all(|size| size <= most) && sizes.sum::<u64>() <= backend.volume_limit()
 }
 
@@ -48,6 +51,7 @@ pub(super) fn upload(volume: &Volume, stored: Format, backend: &mut dyn Backend)
     Ok(match (&volume.voxels, stored) {
         (Voxels::U8(voxels), Format::F32WithIor) => floats(voxels, backend)?,
         (Voxels::U16(voxels), Format::F32WithIor) => floats(voxels, backend)?,
+        (Voxels::U8(voxels), Format::U16WithColor) => wider(voxels, backend)?,
         (voxels, _) => backend.create("voxels", Contents::Shared(&voxels.words()))?,
     })
 }
@@ -61,6 +65,16 @@ where
         floats.par_iter_mut().zip(voxels).for_each(|(float, &voxel)| *float = f32::from(voxel));
     };
     backend.create("voxels", Contents::Written(voxels.len() as u64 * 4, &mut convert))
+}
+
+/// Bytes as integers of 16 bits.
+fn wider(voxels: &[u8], backend: &mut dyn Backend) -> Result<Buffer, BackendError> {
+    let mut convert = |words: &mut [u32]| {
+        let halves: &mut [u16] = cast_slice_mut(words);
+        halves.par_iter_mut().zip(voxels).for_each(|(half, &voxel)| *half = voxel.into());
+    };
+    // Four bytes are read from each voxel on.
+    backend.create("voxels", Contents::Written((voxels.len() as u64 * 2).next_multiple_of(4) + 4, &mut convert))
 }
 
 /// log₂ of the edge of a volume's bricks.

@@ -2,8 +2,8 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Beams, BlendMode, Camera, Capabilities, Crop, Film, Intensity, Interpolation, Light, LightKind, Material,
-    MethodName, Scene, Sweep, Tracer, TransferFunction, Transport, Vector,
+    Beams, BlendMode, Camera, Capabilities, Crop, Film, GradientFunction, Intensity, Interpolation, Light, LightKind,
+    Material, MethodName, Scene, Sweep, Tracer, TransferFunction, Transport, Vector,
 };
 use super::{figure, medium, refuse};
 
@@ -262,20 +262,34 @@ fn check_transfer(transfer: &TransferFunction) -> Result<(), Fault> {
     for (index, point) in transfer.ior.iter().enumerate() {
         check_dispersion(&format!("transfer.ior.{index}"), point.abbe, point.cauchy_b)?;
     }
-    check_sorted("transfer.color", transfer.color.iter().map(|point| point.value))?;
-    check_sorted("transfer.opacity", transfer.opacity.iter().map(|point| point.value))?;
-    check_sorted("transfer.ior", transfer.ior.iter().map(|point| point.value))?;
-    check_sorted("transfer.filter", transfer.filter.iter().map(|point| point.value))
+    check_sorted("transfer.color", "value", transfer.color.iter().map(|point| point.value))?;
+    check_sorted("transfer.opacity", "value", transfer.opacity.iter().map(|point| point.value))?;
+    check_sorted("transfer.ior", "value", transfer.ior.iter().map(|point| point.value))?;
+    check_sorted("transfer.filter", "value", transfer.filter.iter().map(|point| point.value))?;
+    transfer.gradient.iter().enumerate().try_for_each(|(index, function)| check_gradient(index, function))
 }
 
-fn check_sorted(key: &str, values: impl Iterator<Item = f32>) -> Result<(), Fault> {
+/// Refuses a function of the gradient whose numbers are in no order.
+fn check_gradient(index: usize, function: &GradientFunction) -> Result<(), Fault> {
+    let key = format!("transfer.gradient.{index}");
+    if let Some([low, high]) = function.values
+        && low > high
+    {
+        let problem = format!("the values from {low} to {high} are none");
+        return Err(Fault::contradiction(&format!("{key}.values"), problem, "give the smaller one first"));
+    }
+    let magnitudes = function.opacity.iter().map(|point| point.magnitude);
+    check_sorted(&format!("{key}.opacity"), "magnitude", magnitudes)
+}
+
+fn check_sorted(key: &str, name: &str, values: impl Iterator<Item = f32>) -> Result<(), Fault> {
     let mut previous = f32::NEG_INFINITY;
     for (index, value) in values.enumerate() {
         if value < previous {
             return Err(Fault::contradiction(
-                &format!("{key}.{index}.value"),
+                &format!("{key}.{index}.{name}"),
                 format!("{value} comes after {previous}"),
-                "sort the points by `value`; two points at the same value make a step",
+                &format!("sort the points by `{name}`; two points at the same place make a step"),
             ));
         }
         previous = value;
