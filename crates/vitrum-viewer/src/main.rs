@@ -1,0 +1,3 @@
+//! The program `vitrum-viewer`.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Panels generated from the schema of scenes.
