@@ -233,7 +233,7 @@ fn manual_pages_are_there_for_every_command() {
     let mut pages: Vec<_> = pages.map(|name| name.to_string_lossy().into_owned()).collect();
     pages.sort();
     for command in
-        ["render", "turntable", "info", "diff", "scene", "devices", "presets", "scenes", "schema", "completions", "man"]
+        ["render", "turntable", "view", "info", "diff", "scene", "devices", "presets", "scenes", "schema", "completions", "man"]
     {
         assert!(pages.contains(&format!("vitrum-{command}.1")), "{command}: {pages:?}");
     }

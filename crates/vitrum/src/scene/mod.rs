@@ -15,6 +15,7 @@ mod crop;
 mod dispersion;
 mod environment;
 mod error;
+mod files;
 mod film;
 mod form;
 mod isosurface;
