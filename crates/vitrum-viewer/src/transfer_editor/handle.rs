@@ -1,8 +1,9 @@
 //! The handle of a point: dragged, selected, removed, and moved by the arrow keys.
 
 use super::axis::number;
-use super::function::{Function, Spot};
+use super::function::Function;
 use super::model::TransferEditor;
+use super::spots::Spot;
 use eframe::egui::{
     self, CursorIcon, EventFilter, Id, Key, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo,
     vec2,

@@ -3,9 +3,12 @@
 //! [`TransferEditor`] is the model, which knows nothing of windows: points, window, presets, maps of colours, files, undo and redo. [`show`] is its
 //! widget.
 
+mod area;
 mod axis;
+mod backdrop;
 mod files;
 mod function;
+mod gradients;
 mod handle;
 mod histogram;
 mod history;
@@ -14,17 +17,20 @@ mod model;
 mod plot;
 mod presets;
 mod selected;
+mod spots;
+mod stretch;
 mod strip;
 mod toolbar;
 mod window;
 
 pub use axis::{Axis, number};
-pub use function::{Function, Spot};
+pub use function::Function;
 pub use histogram::Histogram;
 pub use history::History;
 pub use model::TransferEditor;
 pub use presets::show_presets;
 pub(crate) use selected::exact as exact_field;
+pub use spots::Spot;
 
 use eframe::egui;
 use vitrum::scene::Scene;

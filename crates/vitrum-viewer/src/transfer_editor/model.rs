@@ -1,22 +1,17 @@
 //! The model of the editor: what is edited and how, without a window.
 
 use super::axis::Axis;
-use super::function::{Function, Spot, at};
+use super::function::Function;
+use super::gradients::Gradients;
 use super::histogram::Histogram;
 use super::history::History;
 use super::look::{look_of, with_look_of};
+use super::spots::{Spot, at};
+use super::stretch::Stretched;
 use std::sync::Arc;
 use vitrum::Subject;
 use vitrum::io::Volume;
-use vitrum::preset::{self, Adjustments};
-use vitrum::scene::{Scene, TransferFunction};
-
-/// Where a drag of the window began: the function, and the range over which it changed.
-#[derive(Debug, Clone)]
-struct Stretched {
-    transfer: TransferFunction,
-    range: [f32; 2],
-}
+use vitrum::scene::Scene;
 
 /// The editor of a scene's transfer functions over the volume's histogram, with undo and redo.
 ///
@@ -24,12 +19,13 @@ struct Stretched {
 #[derive(Debug, Clone)]
 pub struct TransferEditor {
     pub(super) subject: Subject,
-    histogram: Option<Histogram>,
+    pub(super) histogram: Option<Histogram>,
     ior_histogram: Option<Histogram>,
-    history: History<Scene>,
+    gradients: Option<Gradients>,
+    pub(super) history: History<Scene>,
     axes: [Axis; 2],
     zoomed: Option<Axis>,
-    stretched: Option<Stretched>,
+    pub(super) stretched: Option<Stretched>,
     /// The point that number fields and keys are about.
     pub selected: Option<(Function, usize)>,
     /// The point of which a drag goes on, as it was at the beginning, and the pointer's place then.
@@ -38,6 +34,8 @@ pub struct TransferEditor {
     pub(super) ior_limits: [f32; 2],
     /// Whether low opacities are drawn higher than they are.
     pub(super) magnified: bool,
+    /// Whether gradients are drawn behind the opacity.
+    pub(super) with_gradients: bool,
     /// The path that is written in the menu of files.
     pub(super) path: String,
     /// What the last file or preset had to tell, and whether it is an error.
@@ -55,6 +53,7 @@ impl TransferEditor {
             subject: subject.clone(),
             histogram,
             ior_histogram,
+            gradients: volumes.map(|volumes| Gradients::of(volumes.shown)),
             history: History::new(look_of(scene)),
             axes: [Axis::over([0.0, 1.0]); 2],
             zoomed: None,
@@ -63,6 +62,7 @@ impl TransferEditor {
             grabbed: None,
             ior_limits: [1.0, 1.5],
             magnified: has_low_opacities(scene),
+            with_gradients: false,
             path: String::new(),
             told: None,
         };
@@ -92,6 +92,11 @@ impl TransferEditor {
     pub fn histogram(&self, function: Function) -> Option<&Histogram> {
         let of_ior = self.ior_histogram.as_ref().filter(|_| function == Function::Ior);
         of_ior.or(self.histogram.as_ref())
+    }
+
+    /// The histogram over value and gradient of the shown volume.
+    pub(super) fn gradients(&self) -> Option<&Gradients> {
+        self.gradients.as_ref()
     }
 
     /// The unit of a function's values, where the volume's file says it.
@@ -126,10 +131,6 @@ impl TransferEditor {
     #[must_use]
     pub fn is_dragging(&self) -> bool {
         self.grabbed.is_some() || self.stretched.is_some()
-    }
-
-    pub(super) fn history_mut(&mut self) -> &mut History<Scene> {
-        &mut self.history
     }
 
     /// Whether there is a step to take back.
@@ -224,47 +225,6 @@ impl TransferEditor {
             self.grabbed = None;
             self.record(scene, None);
         }
-    }
-
-    /// The window: the range over which the functions change.
-    #[must_use]
-    pub fn window(&self, scene: &Scene) -> [f32; 2] {
-        let with_ior = !self.has_ior_volume();
-        let functions = Function::ALL.into_iter().filter(|function| with_ior || *function != Function::Ior);
-        let values = functions.flat_map(|function| function.spots(&scene.transfer)).map(|spot| spot.value);
-        let [low, high] = values.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
-        if low < high { [low, high] } else { self.histogram.as_ref().map_or([0.0, 1.0], |histogram| histogram.range) }
-    }
-
-    /// Stretches all functions of the volume to another window. All that follow until [`Self::end_stretch`] begin at the same function and are one step, so
-    /// that nothing is lost by rounding.
-    pub fn stretch(&mut self, scene: &mut Scene, [low, high]: [f32; 2]) {
-        let range = self.window(scene);
-        let start = self.stretched.get_or_insert_with(|| Stretched { transfer: scene.transfer.clone(), range });
-        // Narrower than this the points would fall together.
-        let least = 1e-3 * (start.range[1] - start.range[0]);
-        if !(high - low >= least && low.is_finite() && high.is_finite()) {
-            return;
-        }
-        let mut stretched = Scene { transfer: start.transfer.clone(), ..scene.clone() };
-        let adjustments = Adjustments { window: Some([high - low, low.midpoint(high)]), ..Adjustments::default() };
-        let Some(volume) = self.subject.volume() else { return };
-        if preset::adjust(volume, &adjustments, &mut stretched).is_ok() {
-            scene.transfer = stretched.transfer;
-            self.record(scene, Some("stretch"));
-        }
-    }
-
-    /// The window at which a stretch that goes on has begun.
-    #[must_use]
-    pub fn stretch_began(&self) -> Option<[f32; 2]> {
-        self.stretched.as_ref().map(|stretched| stretched.range)
-    }
-
-    /// Ends a stretch.
-    pub fn end_stretch(&mut self) {
-        self.stretched = None;
-        self.history.end_gesture();
     }
 
     /// Takes the last step back.

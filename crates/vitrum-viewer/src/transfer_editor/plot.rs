@@ -1,73 +1,20 @@
 //! The plot of a function that is a number: opacity, or index of refraction, over the histogram.
 
+use super::area::{Area, MARGIN};
 use super::axis::{Axis, number};
-use super::function::{Function, Spot, at};
+use super::backdrop;
+use super::function::Function;
 use super::handle::{Handle, described};
 use super::model::TransferEditor;
+use super::spots::{Spot, at};
 use super::{strip, window};
-use eframe::egui::epaint::Mesh;
 use eframe::egui::{
-    Align2, Color32, FontId, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui,
-    WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 use vitrum::scene::Scene;
 
-/// Room at the sides, so that points at the ends are seen whole.
-pub const MARGIN: f32 = 7.0;
-
 /// Distance from the curve up to which a click is one on the curve, in points of the window.
 const NEAR: f32 = 6.0;
-
-/// The part of the window in which a function is drawn.
-#[derive(Clone, Copy)]
-pub struct Area {
-    pub rect: Rect,
-    pub axis: Axis,
-    limits: [f32; 2],
-    /// The power of the share of the height at which a level stands; 1 is linear.
-    power: f32,
-}
-
-impl Area {
-    pub fn x(self, value: f32) -> f32 {
-        // Far beyond the ends the painter would overflow.
-        self.rect.left() + self.axis.share(value).clamp(-10.0, 10.0) * self.rect.width()
-    }
-
-    pub fn value(self, x: f32) -> f32 {
-        self.axis.value(((x - self.rect.left()) / self.rect.width()).clamp(0.0, 1.0))
-    }
-
-    fn place(self, value: f32, level: f32) -> Pos2 {
-        let [low, high] = self.limits;
-        let share = libm::powf(((level - low) / (high - low)).clamp(0.0, 1.0), self.power);
-        pos2(self.x(value), self.rect.bottom() - share * self.rect.height())
-    }
-
-    fn level(self, y: f32) -> f32 {
-        let [low, high] = self.limits;
-        let share = ((self.rect.bottom() - y) / self.rect.height()).clamp(0.0, 1.0);
-        low + (high - low) * libm::powf(share, 1.0 / self.power)
-    }
-
-    /// The places of a curve through `spots`, to both sides of the area.
-    fn curve(self, spots: &[Spot]) -> Vec<Pos2> {
-        let pieces = if self.power == 1.0 { 1 } else { 24 };
-        let mut places = Vec::new();
-        let [low, high] = self.axis.range;
-        places.extend(spots.first().map(|spot| self.place(low.min(spot.value), spot.level[0])));
-        for pair in spots.windows(2) {
-            let mixed = |step: usize| {
-                let t = step as f32 / pieces as f32;
-                let mix = |from: f32, to: f32| from + (to - from) * t;
-                self.place(mix(pair[0].value, pair[1].value), mix(pair[0].level[0], pair[1].level[0]))
-            };
-            places.extend((0..=pieces).map(mixed));
-        }
-        places.extend(spots.last().map(|spot| self.place(high.max(spot.value), spot.level[0])));
-        places
-    }
-}
 
 /// Shows the plot of `function`.
 pub fn show(ui: &mut Ui, editor: &mut TransferEditor, scene: &mut Scene, function: Function) {
@@ -168,15 +115,13 @@ fn paint(ui: &Ui, outer: Rect, area: Area, editor: &TransferEditor, scene: &Scen
     for &level in &levels {
         painter.hline(area.rect.x_range(), area.place(0.0, level).y, Stroke::new(1.0, faint));
     }
-    bars(
-        &painter,
-        area,
-        editor,
-        function,
-        visuals.weak_text_color().gamma_multiply(if visuals.dark_mode { 0.35 } else { 0.45 }),
-    );
+    let behind = visuals.weak_text_color().gamma_multiply(if visuals.dark_mode { 0.35 } else { 0.45 });
+    match editor.gradients().filter(|_| editor.with_gradients && function == Function::Opacity) {
+        Some(gradients) => backdrop::cells(&painter, area, gradients, visuals.weak_text_color()),
+        None => backdrop::bars(&painter, area, editor, function, behind),
+    }
     if function == Function::Opacity {
-        fill(&painter, area, spots, &editor.shown_spots(scene, Function::Color));
+        backdrop::fill(&painter, area, spots, &editor.shown_spots(scene, Function::Color));
     }
     let implied = function.spots(&scene.transfer).is_empty();
     let stroke = Stroke::new(2.0, curve_color(ui, function));
@@ -230,62 +175,4 @@ fn levels(area: Area) -> Vec<f32> {
         return Axis::over(area.limits).ticks(4);
     }
     vec![0.0, 0.01, 0.1, 1.0]
-}
-
-fn bars(painter: &Painter, area: Area, editor: &TransferEditor, function: Function, color: Color32) {
-    let Some(histogram) = editor.histogram(function) else { return };
-    let mut mesh = Mesh::default();
-    for ([from, to], share) in histogram.bars().filter(|(_, share)| *share > 0.0) {
-        let (left, right) = (area.x(from), area.x(to));
-        if right >= area.rect.left() && left <= area.rect.right() {
-            // Bars are at least a point wide, so that a few in a wide range are seen.
-            let top = area.rect.bottom() - 0.92 * share * area.rect.height();
-            let bar = Rect::from_min_max(pos2(left, top), pos2(right.max(left + 1.0), area.rect.bottom()));
-            mesh.add_colored_rect(bar.intersect(area.rect), color);
-        }
-    }
-    painter.add(Shape::mesh(mesh));
-}
-
-/// Fills the area below the curve with the particles' colours.
-fn fill(painter: &Painter, area: Area, spots: &[Spot], colors: &[Spot]) {
-    const OPACITY: f32 = 0.5;
-    let mut mesh = Mesh::default();
-    let steps = (area.rect.width() / 2.0).max(1.0) as u32;
-    for step in 0..=steps {
-        let x = area.rect.left() + area.rect.width() * step as f32 / steps as f32;
-        let value = area.value(x);
-        let level = at(spots, value).unwrap_or_default()[0];
-        let color = strip::displayed(at(colors, value).unwrap_or([1.0; 3])).gamma_multiply(OPACITY);
-        mesh.colored_vertex(pos2(x, area.place(value, level).y), color);
-        mesh.colored_vertex(pos2(x, area.rect.bottom()), color);
-        if step > 0 {
-            let last = 2 * step;
-            mesh.add_triangle(last - 2, last - 1, last);
-            mesh.add_triangle(last - 1, last, last + 1);
-        }
-    }
-    painter.add(Shape::mesh(mesh));
-}
-
-/// Whether the right button is dragging in a response.
-pub fn is_dragged_by_the_right_button(response: &Response) -> bool {
-    response.dragged_by(PointerButton::Secondary)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_and_points_are_each_others_inverse() {
-        for power in [1.0, 1.0 / 3.0] {
-            let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(200.0, 100.0));
-            let area = Area { rect, axis: Axis::over([-50.0, 150.0]), limits: [0.0, 1.0], power };
-            let at = area.place(100.0, 0.25);
-            assert!((area.value(at.x) - 100.0).abs() < 1e-3 && (area.level(at.y) - 0.25).abs() < 1e-5);
-            assert_eq!(area.place(-50.0, 0.0), rect.left_bottom());
-            assert_eq!(area.place(150.0, 1.0), rect.right_top());
-        }
-    }
 }

@@ -1,7 +1,8 @@
 //! Fields for exact numbers: of the selected point, and of the window.
 
-use super::function::{Function, Spot};
+use super::function::Function;
 use super::model::TransferEditor;
+use super::spots::Spot;
 use eframe::egui::{DragValue, RichText, Ui};
 use vitrum::scene::Scene;
 

@@ -1,9 +1,10 @@
 //! The strip of a function that is a colour, with a mark below it for each point.
 
-use super::function::{Function, Spot, at};
+use super::area::MARGIN;
+use super::function::Function;
 use super::handle::{Handle, described};
 use super::model::TransferEditor;
-use super::plot::MARGIN;
+use super::spots::{Spot, at};
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,

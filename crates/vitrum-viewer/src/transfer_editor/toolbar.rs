@@ -38,6 +38,8 @@ pub fn show(ui: &mut Ui, editor: &mut TransferEditor, scene: &mut Scene) -> Opti
         ui.menu_button("Files", |ui| files(ui, editor, scene));
         let magnify = ui.toggle_value(&mut editor.magnified, "Magnify");
         magnify.on_hover_text("Draw low opacities higher than they are: the height is their cube root");
+        let gradients = ui.toggle_value(&mut editor.with_gradients, "Gradients");
+        gradients.on_hover_text("Show the gradient of each value behind the opacity, upwards: surfaces between two kinds of matter are arcs");
         let is_zoomed = editor.axis(super::Function::Opacity) != editor.whole_axis();
         if is_zoomed
             && ui.button("All values").on_hover_text("Show the whole axis again; Ctrl and the wheel zoom it").clicked()

@@ -1,9 +1,10 @@
 //! The axis of values with the window on it: two ends and a bar between them, which are dragged.
 
+use super::area::{Area, MARGIN};
 use super::axis::{Axis, number};
 use super::function::Function;
 use super::model::TransferEditor;
-use super::plot::{Area, MARGIN, is_dragged_by_the_right_button};
+
 use eframe::egui::{
     Align2, CursorIcon, FontId, PointerButton, Rect, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -121,9 +122,7 @@ pub fn drag_by_the_right_button(
     editor: &mut TransferEditor,
     scene: &mut Scene,
 ) {
-    if is_dragged_by_the_right_button(response)
-        && let Some([x, y]) = moved(ui, response, PointerButton::Secondary)
-    {
+    if let Some([x, y]) = moved(ui, response, PointerButton::Secondary) {
         let [low, high] = editor.stretch_began().unwrap_or_else(|| editor.window(scene));
         let [first, last] = area.axis.range;
         let level = low.midpoint(high) + x / area.rect.width() * (last - first);
