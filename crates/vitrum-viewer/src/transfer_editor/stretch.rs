@@ -19,8 +19,12 @@ impl TransferEditor {
         let with_ior = !self.has_ior_volume();
         let functions = Function::ALL.into_iter().filter(|function| with_ior || *function != Function::Ior);
         let values = functions.flat_map(|function| function.spots(&scene.transfer)).map(|spot| spot.value);
+        let range = self.histogram.as_ref().map_or([0.0, 1.0], |histogram| histogram.range);
+        // No points of opacity stand for a ramp over the range.
+        let is_ramp = scene.transfer.opacity.is_empty() && scene.isosurface.is_empty();
+        let values = values.chain(range.into_iter().filter(|_| is_ramp));
         let [low, high] = values.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
-        if low < high { [low, high] } else { self.histogram.as_ref().map_or([0.0, 1.0], |histogram| histogram.range) }
+        if low < high { [low, high] } else { range }
     }
 
     /// Stretches all functions of the volume to another window. All that follow until [`Self::end_stretch`] begin at the same function and are one step, so
@@ -31,6 +35,11 @@ impl TransferEditor {
         // Narrower than this the points would fall together.
         let least = 1e-3 * (start.range[1] - start.range[0]);
         if !(high - low >= least && low.is_finite() && high.is_finite()) {
+            return;
+        }
+        if [low, high] == start.range {
+            scene.transfer = start.transfer.clone();
+            self.record(scene, Some("stretch"));
             return;
         }
         let mut stretched = Scene { transfer: start.transfer.clone(), ..scene.clone() };

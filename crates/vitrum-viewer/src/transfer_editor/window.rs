@@ -61,8 +61,7 @@ pub fn show(ui: &mut Ui, editor: &mut TransferEditor, scene: &mut Scene, axis: A
         if let Some(moved) = moved(ui, &part, PointerButton::Primary) {
             let start = editor.stretch_began().unwrap_or(window);
             let shift = moved[0] * per_point;
-            let to = [start[0] + follows[0] * shift, start[1] + follows[1] * shift];
-            editor.stretch(scene, to);
+            editor.stretch(scene, [start[0] + follows[0] * shift, start[1] + follows[1] * shift]);
         }
         if part.drag_stopped() {
             editor.end_stretch();
