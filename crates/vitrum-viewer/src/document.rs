@@ -77,15 +77,7 @@ impl Document {
     /// # Errors
     /// Where the preset does not suit the data.
     pub fn take_preset(&mut self, name: &str) -> Result<Vec<String>, Trouble> {
-        let mut scene = self.scene.clone();
-        let notes = match self.data.assets.subject.volume() {
-            Some(volume) => preset::fit(name, volume, &Adjustments::default(), &mut scene),
-            None => preset::apply_to_mesh(name, &mut scene).map(|()| Vec::new()),
-        };
-        let notes = notes.map_err(CompositionError::from)?;
-        scene.camera = self.scene.camera.clone();
-        scene.film = self.scene.film.clone();
-        vitrum::check(&scene, &self.data.assets)?;
+        let (scene, notes) = with_preset(name, &self.scene, &self.data.assets)?;
         self.scene = scene;
         self.composition.preset = Some(name.to_owned());
         Ok(notes)
@@ -103,11 +95,26 @@ impl Document {
     }
 }
 
+/// The scene in the look of a preset, with the same camera and film, and what the preset took for granted.
+///
+/// # Errors
+/// Where the preset does not suit the data.
+pub fn with_preset(name: &str, scene: &Scene, assets: &Assets) -> Result<(Scene, Vec<String>), Trouble> {
+    let mut changed = scene.clone();
+    let notes = match assets.subject.volume() {
+        Some(volume) => preset::fit(name, volume, &Adjustments::default(), &mut changed),
+        None => preset::apply_to_mesh(name, &mut changed).map(|()| Vec::new()),
+    };
+    let notes = notes.map_err(CompositionError::from)?;
+    let changed = Scene { camera: scene.camera.clone(), film: scene.film.clone(), ..changed };
+    vitrum::check(&changed, assets)?;
+    Ok((changed, notes))
+}
+
 /// Fixes a camera that is fitted to what is visible from its side at the distance that suits all sides: while it goes round, nothing should grow and shrink.
 fn keep_distance(scene: &mut Scene, assets: &Assets) -> Result<(), Trouble> {
-    let fits = scene.camera.framing == Framing::Visible
-        && scene.camera.position.is_none()
-        && scene.camera.distance.is_none();
+    let fits =
+        scene.camera.framing == Framing::Visible && scene.camera.position.is_none() && scene.camera.distance.is_none();
     if fits {
         *scene = framed_all_round(scene, assets)?;
         scene.camera.framing = Framing::Whole;
@@ -142,7 +149,8 @@ pub fn sources(scene: &Scene) -> Scene {
     };
     let Environment { kind, file, .. } = &scene.environment;
     let density = scene.medium.as_ref().and_then(|medium| medium.density.as_ref()).map(volume);
-    let texture = |light: &Light| light.texture.clone().map(|texture| Light { texture: Some(texture), ..Light::default() });
+    let texture =
+        |light: &Light| light.texture.clone().map(|texture| Light { texture: Some(texture), ..Light::default() });
     Scene {
         volume: volume(&scene.volume),
         mesh: scene.mesh.clone(),

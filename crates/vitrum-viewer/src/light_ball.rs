@@ -1,6 +1,6 @@
 //! The light on a ball, which is dragged.
 
-use eframe::egui::{Color32, Pos2, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, Role, epaint::Mesh, pos2, vec2};
+use eframe::egui::{Color32, Pos2, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, epaint::Mesh, pos2, vec2};
 
 /// Radius of the ball, in points.
 const RADIUS: f32 = 44.0;

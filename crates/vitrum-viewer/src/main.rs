@@ -88,7 +88,8 @@ fn main() -> ExitCode {
     if !has_display() {
         return fail("there is no display for a window", "set DISPLAY or WAYLAND_DISPLAY, or use `vitrum render`");
     }
-    let viewport = ViewportBuilder::default().with_inner_size([1240.0, 800.0]).with_app_id("vitrum").with_title("Vitrum");
+    let viewport =
+        ViewportBuilder::default().with_inner_size([1240.0, 800.0]).with_app_id("vitrum").with_title("Vitrum");
     let native = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
     let run = eframe::run_native(
         "Vitrum",
@@ -110,9 +111,10 @@ fn main() -> ExitCode {
 /// Whether there is a display to open a window on, as far as that can be told.
 fn has_display() -> bool {
     let unix = cfg!(all(unix, not(target_os = "macos")));
-    !unix || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].iter().any(|name| {
-        std::env::var_os(name).is_some_and(|value| !value.is_empty())
-    })
+    !unix
+        || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"]
+            .iter()
+            .any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))
 }
 
 fn fail(message: &str, help: &str) -> ExitCode {

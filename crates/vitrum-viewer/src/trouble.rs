@@ -48,7 +48,9 @@ impl From<BackendError> for Trouble {
                 "choose the CPU in the menu Backend, or a smaller picture"
             }
             BackendError::Threads { .. } => "start the window with fewer threads (--threads)",
-            _ => "choose the CPU in the menu Backend; a GPU needs a driver of its own (Debian: mesa-vulkan-drivers libvulkan1)",
+            _ => {
+                "choose the CPU in the menu Backend; a GPU needs a driver of its own (Debian: mesa-vulkan-drivers libvulkan1)"
+            }
         };
         let is_cancelled = matches!(error, BackendError::Cancelled);
         Self { is_cancelled, ..Self::new(error.to_string(), help) }

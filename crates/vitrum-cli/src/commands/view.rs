@@ -31,7 +31,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             ErrorKind::NotFound => format!("the program `{PROGRAM}` is neither beside `vitrum` nor on the PATH"),
             _ => format!("{}: {error}", program.display()),
         };
-        let help = format!("build it by `cargo build --release -p {PROGRAM}`; `vitrum render` makes pictures without a window");
+        let help = format!(
+            "build it by `cargo build --release -p {PROGRAM}`; `vitrum render` makes pictures without a window"
+        );
         Failure::new(Status::Device, message, help)
     })?;
     // Ended by a signal, it has no code: as shells have it, 128 and more.

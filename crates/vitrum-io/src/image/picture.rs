@@ -89,7 +89,8 @@ impl Picture {
     pub fn to_srgb8(&self) -> Vec<[u8; 4]> {
         let code = |value: f32| to_8_bits(linear_to_srgb(value));
         let coverage = self.layers.first().and_then(|layer| layer.channel("A"));
-        let alpha = |pixel: usize| coverage.and_then(|plane| plane.get(pixel)).map_or(u8::MAX, |&value| to_8_bits(value));
+        let alpha =
+            |pixel: usize| coverage.and_then(|plane| plane.get(pixel)).map_or(u8::MAX, |&value| to_8_bits(value));
         let pixels = self.color().into_iter().enumerate();
         pixels.map(|(at, [r, g, b])| [code(r), code(g), code(b), alpha(at)]).collect()
     }

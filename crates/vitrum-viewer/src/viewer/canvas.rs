@@ -3,8 +3,8 @@
 use super::Viewer;
 use crate::navigation;
 use eframe::egui::{
-    Align2, CentralPanel, Color32, CursorIcon, FontId, Frame, Key, PointerButton, Pos2, Rect, Response, Role, Sense, Ui,
-    Vec2, WidgetInfo, vec2,
+    Align2, CentralPanel, Color32, CursorIcon, FontId, Frame, Key, PointerButton, Pos2, Rect, Response, Role, Sense,
+    Ui, Vec2, WidgetInfo, vec2,
 };
 
 /// Degrees that a drag across the picture's height rolls the camera.

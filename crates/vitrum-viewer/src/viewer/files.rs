@@ -2,7 +2,7 @@
 
 use super::{Dialog, Viewer};
 use crate::chooser::{Chooser, Purpose};
-use crate::document::sources;
+use crate::document::{Document, sources};
 use crate::loader::{Loaded, Loading, Request};
 use crate::panels::{Panels, command};
 use crate::session::Saved;
@@ -13,6 +13,7 @@ use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
+use vitrum::composition::is_scene_file;
 
 /// Seconds between two savings of the session.
 const SAVING: f64 = 3.0;
@@ -51,7 +52,8 @@ fn changed(file: &Path) -> Option<SystemTime> {
 impl Viewer {
     /// Opens an input: a file, a folder of DICOM files, or `builtin:NAME`.
     pub fn open(&mut self, input: &str) {
-        let size = if input.ends_with(".toml") { None } else { Some(self.size.unwrap_or(self.place)) };
+        let size = self.size.filter(|_| !self.size_is_of_scene).unwrap_or(self.place);
+        let size = (!is_scene_file(Path::new(input))).then_some(size);
         self.load(Request::Open(input.to_owned(), size));
     }
 
@@ -67,6 +69,7 @@ impl Viewer {
     /// Closes the document.
     pub fn close(&mut self) {
         self.document = None;
+        self.forget_sketches();
         self.pictures.forget();
         (self.trouble, self.watch) = (None, None);
         self.notes.clear();
@@ -80,13 +83,13 @@ impl Viewer {
         self.loading = None;
         match outcome {
             Ok(Loaded::Document(document)) => {
-                self.worker.forget_sketches();
-                self.sketches.clear();
+                self.forget_sketches();
                 self.pictures.forget();
                 self.notes.clone_from(&document.notes);
                 self.session.remember(&document.input);
                 self.read_for = Some(sources(&document.scene));
                 context.send_viewport_cmd(ViewportCommand::Title(format!("{} – Vitrum", document.input)));
+                self.take_size(&document);
                 self.document = Some(*document);
                 self.selected_light = 0;
                 self.panels = Panels::default();
@@ -99,6 +102,16 @@ impl Viewer {
                 }
             }
             Err(trouble) => self.fail(trouble),
+        }
+    }
+
+    /// The pictures of a scene file have the size that it says; those of other inputs the window's, or the user's choice.
+    fn take_size(&mut self, document: &Document) {
+        let film = &document.scene.film;
+        if is_scene_file(Path::new(&document.input)) {
+            (self.size, self.size_is_of_scene) = (Some([film.width, film.height]), true);
+        } else if std::mem::take(&mut self.size_is_of_scene) {
+            self.size = None;
         }
     }
 

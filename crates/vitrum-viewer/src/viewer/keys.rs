@@ -42,9 +42,8 @@ const CTRL: Modifiers = Modifiers::COMMAND;
 impl Viewer {
     /// Takes the keys that nothing else has taken.
     pub(super) fn take_shortcuts(&mut self, context: &Context) {
-        let pressed = |modifiers, key| {
-            context.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(modifiers, key)))
-        };
+        let pressed =
+            |modifiers, key| context.input_mut(|input| input.consume_shortcut(&KeyboardShortcut::new(modifiers, key)));
         if pressed(CTRL, Key::O) {
             self.ask_open();
         }

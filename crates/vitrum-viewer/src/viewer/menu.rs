@@ -1,6 +1,7 @@
 //! The menu at the top.
 
 use super::{Dialog, Viewer, marks};
+use crate::history::History;
 use crate::navigation;
 use eframe::egui::{Button, MenuBar, Panel, Ui, ViewportCommand, widgets};
 use vitrum::backend::Choice;
@@ -76,8 +77,8 @@ impl Viewer {
 
     fn edit_menu(&mut self, ui: &mut Ui) {
         let history = self.document.as_ref().map(|document| &document.history);
-        let can_undo = history.is_some_and(super::super::history::History::can_undo);
-        let can_redo = history.is_some_and(super::super::history::History::can_redo);
+        let can_undo = history.is_some_and(History::can_undo);
+        let can_redo = history.is_some_and(History::can_redo);
         if ui.add_enabled(can_undo, Button::new("Undo").shortcut_text("Ctrl+Z")).clicked() {
             self.undo();
         }
@@ -99,12 +100,12 @@ impl Viewer {
         }
         ui.menu_button("Size of the picture", |ui| {
             if ui.selectable_label(self.size.is_none(), "As the window").clicked() {
-                self.size = None;
+                (self.size, self.size_is_of_scene) = (None, false);
             }
             for size in SIZES {
                 let [width, height] = size;
                 if ui.selectable_label(self.size == Some(size), format!("{width} × {height}")).clicked() {
-                    self.size = Some(size);
+                    (self.size, self.size_is_of_scene) = (Some(size), false);
                 }
             }
         });
@@ -115,8 +116,8 @@ impl Viewer {
     fn camera_menu(&mut self, ui: &mut Ui) {
         let Some(document) = &mut self.document else { return };
         let bounds = document.bounds();
-        let is_patient = document.data.assets.subject.volume().map(|volume| volume.orientation)
-            == Some(Orientation::Patient);
+        let is_patient =
+            document.data.assets.subject.volume().map(|volume| volume.orientation) == Some(Orientation::Patient);
         let scene = &mut document.scene;
         ui.menu_button("Look from", |ui| {
             for side in Side::ALL {

@@ -19,7 +19,7 @@ use crate::loader::Loading;
 use crate::panels::Panels;
 use crate::session::Session;
 use crate::trouble::Trouble;
-use crate::worker::{DeviceOptions, Wake, Worker};
+use crate::worker::{DeviceOptions, Sketch, Wake, Worker};
 use eframe::egui::{Context, TextureHandle, Ui};
 use files::Watch;
 use pictures::Pictures;
@@ -54,6 +54,8 @@ pub struct Viewer {
     backend: Choice,
     /// The size of pictures that the user has chosen; the window's if `None`.
     size: Option<[u32; 2]>,
+    /// Whether that size is a scene file's, and no choice for the next file.
+    size_is_of_scene: bool,
     /// Pixels of the place for the picture.
     place: [u32; 2],
     loading: Option<Loading>,
@@ -63,8 +65,12 @@ pub struct Viewer {
     saved_at: f64,
     watch: Option<Watch>,
     trouble: Option<Trouble>,
+    /// Whether it ends with the next picture.
+    trouble_is_of_picture: bool,
     notes: Vec<String>,
     sketches: BTreeMap<String, Option<TextureHandle>>,
+    /// How many of them are still to come.
+    sketching: usize,
     dialog: Option<Dialog>,
     exporting: Option<PathBuf>,
     selected_light: usize,
@@ -102,6 +108,7 @@ impl Viewer {
             pictures: Pictures::default(),
             backend: options.backend,
             size: options.size,
+            size_is_of_scene: false,
             place: [512, 512],
             loading: None,
             session,
@@ -109,8 +116,10 @@ impl Viewer {
             saved_at: 0.0,
             watch: None,
             trouble: None,
+            trouble_is_of_picture: false,
             notes: Vec::new(),
             sketches: BTreeMap::new(),
+            sketching: 0,
             dialog: None,
             exporting: None,
             selected_light: 0,
@@ -172,9 +181,30 @@ impl Viewer {
         self.pictures.standing()
     }
 
+    /// Whether thumbnails are still to come.
+    #[must_use]
+    pub fn is_sketching(&self) -> bool {
+        self.sketching > 0
+    }
+
+    /// Asks for a thumbnail.
+    fn sketch(&mut self, sketch: Sketch) {
+        self.sketches.insert(sketch.name.clone(), None);
+        self.sketching += 1;
+        self.worker.sketch(sketch);
+    }
+
+    /// Forgets all thumbnails.
+    fn forget_sketches(&mut self) {
+        self.worker.forget_sketches();
+        self.sketches.clear();
+        self.sketching = 0;
+    }
+
     /// Shows what went wrong.
     fn fail(&mut self, trouble: impl Into<Trouble>) {
         self.trouble = Some(trouble.into());
+        self.trouble_is_of_picture = false;
     }
 
     /// Takes note of the scene for undoing, once nothing is held any more.

@@ -70,6 +70,11 @@ impl Pictures {
         !self.failed && self.sent.as_ref().is_some_and(|sent| !done(sent))
     }
 
+    /// Whether the picture that the scene describes is there.
+    pub fn is_complete(&self) -> bool {
+        self.standing.as_ref().is_some_and(|standing| standing.complete)
+    }
+
     fn show(&mut self, context: &Context, standing: Standing) {
         let image = image(&standing.shown);
         match &mut self.texture {
@@ -112,8 +117,7 @@ impl Viewer {
         // The first picture of a change comes fast, and a better one follows.
         let moving = is_new;
         let (scene, data) = (document.scene.clone(), document.data.clone());
-        pictures.sent =
-            Some(Sent { number, scene: scene.clone(), data: data.number, backend: self.backend, moving });
+        pictures.sent = Some(Sent { number, scene: scene.clone(), data: data.number, backend: self.backend, moving });
         self.worker.show(View { number, scene, data, moving, backend: self.backend });
         if moving {
             context.request_repaint_after(Duration::from_secs_f64(REST));
@@ -127,18 +131,25 @@ impl Viewer {
                 Reply::Picture { number, shown, statistics, seconds, complete } => {
                     if number > self.pictures.before {
                         self.pictures.show(context, Standing { shown, statistics, seconds, complete, number });
+                        if number == self.pictures.last_number && std::mem::take(&mut self.trouble_is_of_picture) {
+                            self.trouble = None;
+                        }
                     }
                 }
                 Reply::Failed { number, trouble } => {
                     if number == self.pictures.last_number {
                         self.pictures.failed = true;
                         self.fail(trouble);
+                        self.trouble_is_of_picture = true;
                     }
                 }
                 Reply::Sketched { name, shown } => {
-                    let texture = shown
-                        .map(|shown| context.load_texture(&name, image(&shown), TextureOptions::LINEAR));
-                    self.sketches.insert(name, texture);
+                    let texture = shown.map(|shown| context.load_texture(&name, image(&shown), TextureOptions::LINEAR));
+                    // One of an earlier document may come late.
+                    if let Some(place) = self.sketches.get_mut(&name) {
+                        *place = texture;
+                        self.sketching = self.sketching.saturating_sub(1);
+                    }
                 }
                 Reply::Exported { file } => {
                     self.exporting = None;

@@ -1,13 +1,9 @@
 //! The panels on the right: preset, transfer functions, light, camera, and every other key.
 
 use super::Viewer;
-use crate::document::Document;
-use crate::worker::{Sketch, SketchSubject, Worker};
+use crate::worker::{Sketch, SketchSubject};
 use crate::{light_ball, navigation, panels, transfer_editor};
-use eframe::egui::{
-    Button, CollapsingHeader, ComboBox, DragValue, Panel, ScrollArea, Slider, TextureHandle, Ui,
-};
-use std::collections::BTreeMap;
+use eframe::egui::{Button, CollapsingHeader, ComboBox, DragValue, Panel, ScrollArea, Slider, TextureHandle, Ui};
 use vitrum::preset;
 use vitrum::scene::{Light, LightKind, Scene};
 
@@ -56,9 +52,9 @@ impl Viewer {
 
     /// The looks that the library has for this kind of data, as pictures of this very data.
     fn preset_panel(&mut self, ui: &mut Ui) {
+        self.ask_for_presets();
         let Some(document) = &mut self.document else { return };
         let chosen = if document.editor.has_volume() {
-            ask_for_pictures(document, &mut self.sketches, &self.worker);
             let picture = |name: &str| self.sketches.get(&sketch_name(name))?.as_ref().map(TextureHandle::id);
             transfer_editor::show_presets(ui, &picture)
         } else {
@@ -81,29 +77,24 @@ impl Viewer {
     }
 }
 
+impl Viewer {
+    /// Asks for a picture of each preset, once.
+    fn ask_for_presets(&mut self) {
+        let Some(document) = self.document.as_ref().filter(|document| document.editor.has_volume()) else { return };
+        if !self.sketches.is_empty() || !self.pictures.is_complete() {
+            return;
+        }
+        let (scene, data) = (Box::new(document.scene.clone()), document.data.clone());
+        for &(name, _) in preset::names() {
+            let subject = SketchSubject::Preset(name, scene.clone(), data.clone());
+            self.sketch(Sketch { name: sketch_name(name), size: [EDGE; 2], subject });
+        }
+    }
+}
+
 /// The name under which a preset's picture is known.
 fn sketch_name(preset: &str) -> String {
     format!("preset {preset}")
-}
-
-/// Asks for a picture of each preset, once.
-fn ask_for_pictures(
-    document: &Document,
-    sketches: &mut BTreeMap<String, Option<TextureHandle>>,
-    worker: &Worker,
-) {
-    if !sketches.is_empty() {
-        return;
-    }
-    for (name, _) in preset::names() {
-        sketches.insert(sketch_name(name), None);
-        let mut with_look = document.clone();
-        // One that does not suit the data has no picture.
-        if with_look.take_preset(name).is_ok() {
-            let subject = SketchSubject::Scene(Box::new(with_look.scene), document.data.clone());
-            worker.sketch(Sketch { name: sketch_name(name), size: [EDGE; 2], subject });
-        }
-    }
 }
 
 /// The lights in a list; the ball turns the selected one.

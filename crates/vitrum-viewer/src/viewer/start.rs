@@ -66,9 +66,8 @@ impl Viewer {
     fn gallery(&mut self, ui: &mut Ui) {
         if self.sketches.is_empty() && self.loading.is_none() {
             for (name, _) in builtin::names() {
-                self.sketches.insert((*name).to_owned(), None);
-                let (name, subject) = ((*name).to_owned(), SketchSubject::BuiltIn(name));
-                self.worker.sketch(Sketch { name, size: PIXELS, subject });
+                let subject = SketchSubject::BuiltIn(name);
+                self.sketch(Sketch { name: sketch_name(name), size: PIXELS, subject });
             }
         }
         let mut chosen = None;
@@ -77,13 +76,11 @@ impl Viewer {
                 let size = PICTURE + vec2(0.0, 22.0);
                 let (rect, response) = ui.allocate_exact_size(size, Sense::click());
                 let is_lit = response.hovered() || response.has_focus();
-                response.widget_info(|| {
-                    eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Button, true, *name)
-                });
+                response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Button, true, *name));
                 let mut tile = ui.new_child(UiBuilder::new().max_rect(rect));
                 let fill = if is_lit { ui.visuals().widgets.hovered.bg_fill } else { ui.visuals().faint_bg_color };
                 tile.painter().rect_filled(rect, 4.0, fill);
-                match self.sketches.get(*name).and_then(Option::as_ref) {
+                match self.sketches.get(&sketch_name(name)).and_then(Option::as_ref) {
                     Some(texture) => {
                         tile.add(Image::new(texture).fit_to_exact_size(PICTURE));
                     }
@@ -101,4 +98,9 @@ impl Viewer {
             self.open(&format!("builtin:{name}"));
         }
     }
+}
+
+/// The name under which a built-in scene's picture is known.
+fn sketch_name(scene: &str) -> String {
+    format!("scene {scene}")
 }

@@ -42,9 +42,10 @@ impl Viewer {
         let milliseconds = standing.seconds * 1e3;
         let rate = 1.0 / standing.seconds.max(1e-6);
         let backend = standing.statistics.backend.to_uppercase();
-        let whole = self.document.as_ref().map_or([width, height], |document| {
-            [document.scene.film.width, document.scene.film.height]
-        });
+        let whole = self
+            .document
+            .as_ref()
+            .map_or([width, height], |document| [document.scene.film.width, document.scene.film.height]);
         let state = match standing.complete {
             true => "complete".to_owned(),
             false if [width, height] == whole => "refining".to_owned(),

@@ -6,6 +6,7 @@ use super::mailbox::{Mailbox, Newer, Task};
 use super::pace::{Pace, TARGET};
 use super::picture::{Shown, shown};
 use super::request::{Data, Export, Reply, Sketch, SketchSubject, View, Wake};
+use crate::document::with_preset;
 use crate::trouble::Trouble;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::Sender;
@@ -13,7 +14,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 use vitrum::backend::Choice;
 use vitrum::composition::{Composed, Composition, Quality};
-use vitrum::io::{Picture, stage_picture_with, WriteOptions};
+use vitrum::io::{Picture, WriteOptions, stage_picture_with};
 use vitrum::scene::Scene;
 use vitrum::{Frame, Layers, OutputRequest, Progress, Renderer};
 use vitrum_annotations::{Overlay, screen_picture};
@@ -76,7 +77,10 @@ impl Course {
             let done = catch_unwind(AssertUnwindSafe(|| self.work(task)));
             if done.is_err() {
                 self.open = None;
-                let trouble = Trouble::new("the renderer met a fault of its own", "change the scene back, or try another backend");
+                let trouble = Trouble::new(
+                    "the renderer met a fault of its own",
+                    "change the scene back, or try another backend",
+                );
                 match number {
                     Some(number) => self.reply(Reply::Failed { number, trouble }),
                     None => self.reply(Reply::NotExported { trouble: Some(trouble) }),
@@ -222,7 +226,8 @@ impl Course {
         let frame = self.frame(&export.scene, layers, move || !mailbox.gives_export_up())?;
         let metadata = frame.metadata(&export.scene)?;
         let picture: Picture = if is(&["png", "jpg", "jpeg"]) {
-            let overlay = Overlay::new(&vitrum::framed(&export.scene, &export.data.assets)?, &export.data.assets.subject)?;
+            let overlay =
+                Overlay::new(&vitrum::framed(&export.scene, &export.data.assets)?, &export.data.assets.subject)?;
             screen_picture(frame, overlay.as_ref(), !is(&["png"]))?
         } else if is(&["tif", "tiff"]) {
             frame.into_straight_picture()
@@ -237,7 +242,7 @@ impl Course {
         let mailbox = Arc::clone(&self.mailbox);
         let goes_on = move || !mailbox.is_busy();
         let (scene, data) = match &sketch.subject {
-            SketchSubject::Scene(scene, data) => ((**scene).clone(), data.clone()),
+            SketchSubject::Preset(name, scene, data) => (with_preset(name, scene, &data.assets)?.0, data.clone()),
             SketchSubject::BuiltIn(name) => {
                 let composition = Composition {
                     input: format!("builtin:{name}"),

@@ -1,7 +1,7 @@
 //! Opening the device that pictures are made on.
 
-use super::request::Wake;
 use super::Reply;
+use super::request::Wake;
 use std::sync::mpsc::Sender;
 use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions};
 use vitrum::{Assets, Renderer};

@@ -25,11 +25,7 @@ const NOTICEABLE: f64 = 0.12;
 pub fn ladder(scene: &Scene, expected: f64) -> Vec<Rung> {
     let film = &scene.film;
     let whole = [film.width, film.height];
-    let part = |parts: u32| Rung {
-        size: whole.map(|edge| edge.div_ceil(parts)),
-        single_rays: true,
-        distance: 1.0,
-    };
+    let part = |parts: u32| Rung { size: whole.map(|edge| edge.div_ceil(parts)), single_rays: true, distance: 1.0 };
     let own = Rung { single_rays: false, ..part(1) };
     let many_rays = film.supersampling > 1 || film.refinement > 1;
     let mut rungs = Vec::new();

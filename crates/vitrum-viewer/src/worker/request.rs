@@ -50,8 +50,8 @@ pub struct Sketch {
 pub enum SketchSubject {
     /// A built-in scene, by its name.
     BuiltIn(&'static str),
-    /// A scene of data that is there.
-    Scene(Box<Scene>, Data),
+    /// A scene of data that is there, in the look of a preset.
+    Preset(&'static str, Box<Scene>, Data),
 }
 
 /// A picture in a file.

@@ -8,7 +8,8 @@ impl Scene {
     pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
         let density = self.medium.as_mut().and_then(|medium| medium.density.as_mut());
         let volumes = [Some(&mut self.volume), self.ior_volume.as_mut(), density].into_iter().flatten();
-        let volumes = volumes.flat_map(|volume| volume.file.iter_mut().chain(volume.mask.as_mut().map(|mask| &mut mask.file)));
+        let volumes =
+            volumes.flat_map(|volume| volume.file.iter_mut().chain(volume.mask.as_mut().map(|mask| &mut mask.file)));
         let meshes = self.mesh.iter_mut().filter_map(|mesh| mesh.file.as_mut());
         let textures = self.light.iter_mut().filter_map(|light| light.texture.as_mut());
         volumes.chain(meshes).chain(textures).chain(&mut self.environment.file)
