@@ -17,7 +17,7 @@ pub fn show(ui: &mut Ui, view: &mut View<'_>, path: &str, field: &Field, value: 
         if button::plus(ui, &format!("set {path}")).on_hover_text(help(field)).clicked() {
             view.ask(format!("{path}={}", values::first_value(field)));
         }
-        ui.weak("by itself");
+        ui.weak("automatic");
         return;
     };
     let asked = match &field.control {
@@ -126,7 +126,7 @@ fn text(ui: &mut Ui, view: &mut View<'_>, path: &str, field: &Field, present: &s
     let id = ui.make_persistent_id(path);
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| present.to_owned());
     let width = (ui.available_width() - 40.0).clamp(60.0, 220.0);
-    let hint = if field.is_optional { "by itself" } else { "" };
+    let hint = if field.is_optional { "automatic" } else { "" };
     let response = ui.add(TextEdit::singleline(&mut text).hint_text(hint).desired_width(width));
     let response = named(response, path, field);
     if response.lost_focus() {

@@ -6,6 +6,9 @@ use eframe::egui::{Grid, RichText, Ui};
 use toml::Table;
 use vitrum::scene::Field;
 
+/// Width of what is told beside a key.
+const REFUSAL_WIDTH: f32 = 200.0;
+
 /// What the rows look at, and the settings that they ask for.
 pub struct View<'a> {
     pub panels: &'a Panels,
@@ -62,7 +65,11 @@ pub fn rows(ui: &mut Ui, view: &mut View<'_>, path: &str, fields: &[&Field], tab
             ui.end_row();
             if let Some(refusal) = view.panels.refusal_of(&path) {
                 ui.label("");
-                ui.colored_label(ui.visuals().error_fg_color, refusal);
+                // A grid's cell would not wrap it.
+                ui.vertical(|ui| {
+                    ui.set_max_width(REFUSAL_WIDTH);
+                    ui.colored_label(ui.visuals().error_fg_color, refusal);
+                });
                 ui.end_row();
             }
         }
