@@ -103,33 +103,28 @@ mod tests {
 
     #[test]
     fn every_key_has_a_first_value_that_its_own_range_allows() {
-        fn check(fields: &[Field], path: &str) {
+        fn check(fields: &[Field], path: &str, around: &Scene) {
             for field in fields {
                 let path = if path.is_empty() { field.name.clone() } else { format!("{path}.{}", field.name) };
-                let setting = match &field.control {
-                    Control::Sections { item, .. } => {
-                        check(item, &format!("{path}.0"));
-                        format!("{path}=[{}]", first_value(field))
-                    }
-                    _ => format!("{path}={}", first_value(field)),
-                };
-                if let Control::Section(inner) = &field.control {
-                    check(inner, &path);
-                }
-                // Keys of items of lists are set in a scene that has such an item.
-                let mut scene = Scene::default();
-                if let Some((list, _)) = path.split_once(".0.")
-                    && let Some(item) = vitrum::scene::field(list)
-                {
-                    scene.set(&format!("{list}=[{}]", first_value(item))).expect(list);
-                }
-                scene.set(&setting).unwrap_or_else(|error| panic!("{setting}: {error}"));
-                if let Some(setting) = reset(field, &path) {
+                let mut scene = around.clone();
+                let mut set = |setting: String| {
                     scene.set(&setting).unwrap_or_else(|error| panic!("{setting}: {error}"));
+                    scene.clone()
+                };
+                let first = first_value(field);
+                match &field.control {
+                    Control::Section(inner) => check(inner, &path, &set(format!("{path}={first}"))),
+                    Control::Sections { item, .. } => {
+                        check(item, &format!("{path}.0"), &set(format!("{path}=[{first}]")))
+                    }
+                    _ => drop(set(format!("{path}={first}"))),
+                }
+                if let Some(setting) = reset(field, &path) {
+                    set(setting);
                 }
             }
         }
-        check(form(), "");
+        check(form(), "", &Scene::default());
     }
 
     #[test]
