@@ -85,7 +85,7 @@ impl Chooser {
         window.show(context, |ui| {
             ui.horizontal(|ui| {
                 if let Some(parent) = self.folder.parent().map(Path::to_owned)
-                    && ui.button("⬆").on_hover_text("The folder above").clicked()
+                    && ui.button("Up").on_hover_text("The folder above").clicked()
                 {
                     self.go(parent);
                 }
@@ -102,7 +102,7 @@ impl Chooser {
             ScrollArea::vertical().max_height(260.0).auto_shrink(false).show(ui, |ui| {
                 for (name, is_folder) in &self.entries {
                     let path = self.folder.join(name);
-                    let text = if *is_folder { format!("🗀 {name}") } else { name.clone() };
+                    let text = if *is_folder { format!("{name}/") } else { name.clone() };
                     let response = ui.selectable_label(Path::new(&self.path) == path, text);
                     if response.double_clicked() && !is_folder {
                         choice = Choice::Chosen(path);

@@ -8,6 +8,7 @@ pub mod document;
 mod history;
 mod light_ball;
 mod loader;
+mod measure;
 pub mod navigation;
 pub mod panels;
 mod session;
@@ -17,6 +18,7 @@ pub mod viewer;
 pub mod worker;
 
 pub use loader::Request;
+pub use measure::measure;
 pub use session::Session;
 pub use trouble::Trouble;
 pub use viewer::{Options, Viewer};

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use vitrum::backend::Choice;
 use vitrum_viewer::worker::DeviceOptions;
-use vitrum_viewer::{Options, Session, Viewer};
+use vitrum_viewer::{Options, Session, Viewer, measure};
 
 /// The exit code where there is no display, no adapter for the window, or no device.
 const NO_DEVICE: u8 = 4;
@@ -37,6 +37,10 @@ struct Arguments {
     /// Neither read nor write what is kept from one run to the next: recent files, and the scene that was open
     #[arg(long)]
     no_session: bool,
+
+    /// Open no window: measure how pictures of the input follow the hand on this machine, and print it
+    #[arg(long, value_name = "WxH", requires = "input", num_args = 0..=1, require_equals = true, default_missing_value = "512x512", value_parser = size)]
+    measure: Option<[u32; 2]>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -54,6 +58,13 @@ impl From<Backend> for Choice {
             Backend::Gpu => Self::Gpu,
         }
     }
+}
+
+/// Pixels across and down, such as 512x512.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let (width, height) = text.split_once('x').unwrap_or((text, text));
+    let edge = |text: &str| text.parse().ok().filter(|edge| (1..=16384).contains(edge));
+    edge(width).zip(edge(height)).map(|(width, height)| [width, height]).ok_or_else(|| "expected such as 512x512".to_owned())
 }
 
 impl Arguments {
@@ -84,7 +95,19 @@ impl eframe::App for Window {
 }
 
 fn main() -> ExitCode {
-    let options = Arguments::parse().options();
+    let arguments = Arguments::parse();
+    if let (Some(size), Some(input)) = (arguments.measure, &arguments.input) {
+        let input = input.clone();
+        let options = arguments.options();
+        return match measure(&input, size, options.backend, options.device) {
+            Ok(text) => {
+                print!("{text}");
+                ExitCode::SUCCESS
+            }
+            Err(trouble) => fail(&trouble.message, &trouble.help),
+        };
+    }
+    let options = arguments.options();
     if !has_display() {
         return fail("there is no display for a window", "set DISPLAY or WAYLAND_DISPLAY, or use `vitrum render`");
     }

@@ -162,7 +162,14 @@ fn what_goes_wrong_is_said_with_what_to_do() {
 fn a_preset_is_chosen_on_the_right() {
     let mut window = with_ball();
     let before = viewer(&mut window).document().expect("it is open").scene.transfer.clone();
-    window.get_by_label("bone").click();
+    // Pictures of the presets take the place of their names.
+    window.run_steps(3);
+    until(&mut window, "the last thumbnail", |viewer| !viewer.is_sketching());
+    window.run_steps(2);
+    let picture = window.get_by_label("bone").rect().center_top() - vec2(0.0, 40.0);
+    window.drag_at(picture);
+    window.step();
+    window.drop_at(picture);
     window.step();
     window.step();
     let document = viewer(&mut window).document().expect("it is open");

@@ -59,9 +59,9 @@ impl Viewer {
             Dialog::SavePicture(chooser, size) => chooser.show(context, |ui| {
                 ui.horizontal(|ui| {
                     let [width, height] = size;
-                    ui.add(DragValue::new(width).range(1..=16384)).on_hover_text("Pixels across");
+                    ui.add(DragValue::new(width).range(1..=16384)).accessible_name("Pixels across");
                     ui.label("×");
-                    ui.add(DragValue::new(height).range(1..=16384)).on_hover_text("Pixels down");
+                    ui.add(DragValue::new(height).range(1..=16384)).accessible_name("Pixels down");
                     ui.weak(".png, .jpg, .exr with all outputs, .hdr or .tif");
                 });
             }),

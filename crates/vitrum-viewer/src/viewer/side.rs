@@ -132,11 +132,12 @@ fn lights(ui: &mut Ui, scene: &mut Scene, selected: &mut usize) {
                 ui.weak("Its place is among all keys.");
             }
             ui.horizontal(|ui| {
-                ui.add(DragValue::new(&mut light.intensity).range(0.0..=1e6).speed(0.01));
+                let intensity = DragValue::new(&mut light.intensity).range(0.0..=1e6).speed(0.01);
+                ui.add(intensity).accessible_name("intensity");
                 ui.label("intensity");
             });
             ui.horizontal(|ui| {
-                ui.color_edit_button_rgb(&mut light.color);
+                ui.color_edit_button_rgb(&mut light.color).accessible_name("colour of the light");
                 ui.label("colour");
             });
             ui.checkbox(&mut light.shadows, "shadows");
@@ -167,7 +168,7 @@ fn camera(ui: &mut Ui, scene: &mut Scene) {
 
 fn degrees(ui: &mut Ui, name: &str, value: &mut f32, range: std::ops::RangeInclusive<f32>) {
     ui.horizontal(|ui| {
-        ui.add(DragValue::new(value).range(range).speed(0.5).suffix("°").max_decimals(1));
+        ui.add(DragValue::new(value).range(range).speed(0.5).suffix("°").max_decimals(1)).accessible_name(name);
         ui.label(name);
     });
 }

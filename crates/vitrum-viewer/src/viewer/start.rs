@@ -82,7 +82,7 @@ impl Viewer {
                 tile.painter().rect_filled(rect, 4.0, fill);
                 match self.sketches.get(&sketch_name(name)).and_then(Option::as_ref) {
                     Some(texture) => {
-                        tile.add(Image::new(texture).fit_to_exact_size(PICTURE));
+                        tile.add(Image::new(texture).fit_to_exact_size(PICTURE).alt_text(*name));
                     }
                     None => {
                         tile.allocate_space(PICTURE);

@@ -15,7 +15,7 @@ impl Viewer {
                     let busy = self.pictures.is_waiting() || self.exporting.is_some();
                     if let Some(progress) = self.worker.progress().filter(|_| busy) {
                         let share = progress.done as f32 / progress.total.max(1) as f32;
-                        ui.add(ProgressBar::new(share).desired_width(120.0));
+                        ui.add(ProgressBar::new(share).desired_width(120.0)).accessible_name("progress");
                         ui.label(progress.stage.name());
                         // The bar moves without anybody's hand.
                         ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));

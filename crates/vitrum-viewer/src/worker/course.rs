@@ -130,7 +130,7 @@ impl Course {
         self.open(view.backend, &view.data)?;
         let film = &view.scene.film;
         let whole = [film.width, film.height];
-        let rung = Rung { size: self.pace.size(whole), single_rays: true, distance: self.pace.distance() };
+        let rung = self.pace.rung(whole);
         let start = Instant::now();
         let mailbox = Arc::clone(&self.mailbox);
         let number = view.data.number;
@@ -262,7 +262,7 @@ impl Course {
             open.data = 0;
         }
         self.open(choice, &data)?;
-        let scene = Rung { size: sketch.size, single_rays: true, distance: 1.5 }.of(&scene);
+        let scene = Rung { size: sketch.size, single_rays: true, distance: 1.5, light_cells: Some(96) }.of(&scene);
         let frame = self.frame(&scene, Layers::color(), goes_on)?;
         Ok(shown(frame, &scene, &data.assets)?)
     }

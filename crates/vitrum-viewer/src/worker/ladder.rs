@@ -11,7 +11,12 @@ pub struct Rung {
     pub single_rays: bool,
     /// Factor on the distance of samples along rays.
     pub distance: f32,
+    /// The most cells along a side of the light's wavefront; as many as the scene says if `None`.
+    pub light_cells: Option<u32>,
 }
+
+/// Cells along a side of the light of the pictures before the whole one.
+const FIRST_CELLS: u32 = 96;
 
 /// Seconds from which on a picture is worth one of a quarter of its edge before it.
 const LONG: f64 = 0.4;
@@ -25,7 +30,13 @@ const NOTICEABLE: f64 = 0.12;
 pub fn ladder(scene: &Scene, expected: f64) -> Vec<Rung> {
     let film = &scene.film;
     let whole = [film.width, film.height];
-    let part = |parts: u32| Rung { size: whole.map(|edge| edge.div_ceil(parts)), single_rays: true, distance: 1.0 };
+    let part = |parts: u32| Rung {
+        size: whole.map(|edge| edge.div_ceil(parts)),
+        single_rays: true,
+        distance: 1.0,
+        // Light takes as long for a small picture as for a large one.
+        light_cells: (parts > 1).then_some(FIRST_CELLS),
+    };
     let own = Rung { single_rays: false, ..part(1) };
     let many_rays = film.supersampling > 1 || film.refinement > 1;
     let mut rungs = Vec::new();
@@ -48,6 +59,9 @@ impl Rung {
         if self.distance > 1.0 {
             // The largest that scenes have.
             scene.sweep.sample_distance = (scene.sweep.sample_distance * self.distance).min(16.0);
+        }
+        if let Some(most) = self.light_cells {
+            scene.sweep.light_cells = Some(scene.sweep.light_cells.map_or(most, |own| own.min(most)));
         }
         scene
     }

@@ -20,7 +20,11 @@ use std::io;
 use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{Builder, JoinHandle};
+use std::time::{Duration, Instant};
 use vitrum::Progress;
+
+/// Time in which the thread ends what cannot be given up, such as the making of a built-in volume; a window that is closed waits no longer for it.
+const LAST_WORK: Duration = Duration::from_secs(2);
 
 /// The handle of the rendering thread. The thread ends with it.
 pub struct Worker {
@@ -81,6 +85,12 @@ impl Worker {
         *self.progress.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Whether a view waits that the thread has not begun.
+    #[must_use]
+    pub fn is_waiting(&self) -> bool {
+        self.mailbox.is_busy()
+    }
+
     /// Waits for a reply; for tests, which have no window to wake.
     #[must_use]
     pub fn wait(&self) -> Option<Reply> {
@@ -91,7 +101,12 @@ impl Worker {
 impl Drop for Worker {
     fn drop(&mut self) {
         self.mailbox.close();
-        if let Some(thread) = self.thread.take() {
+        let Some(thread) = self.thread.take() else { return };
+        let end = Instant::now() + LAST_WORK;
+        while !thread.is_finished() && Instant::now() < end {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        if thread.is_finished() {
             // A thread that failed has said so in its last reply.
             let _ = thread.join();
         }

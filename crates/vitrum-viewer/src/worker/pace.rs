@@ -1,5 +1,7 @@
 //! The resolution at which a picture follows the hand.
 
+use super::ladder::Rung;
+
 /// Seconds that a picture may take while something is dragged: two frames of a screen.
 pub const TARGET: f64 = 0.033;
 
@@ -15,8 +17,11 @@ const WORTHWHILE: f64 = 1.2;
 /// The most that one picture's time may change the next one's work: a single slow frame should not throw the resolution away.
 const BOLDEST: f64 = 3.0;
 
+/// Cells of light along a side, times the factor on the distance of samples: light that turns with the camera is carried anew for each picture.
+const CELLS: f64 = 192.0;
+
 /// The controller of the resolution while something is dragged: it is told the time of each picture, and says how large the next one is, and how far apart
-/// its samples are, so that it takes [`TARGET`]. The size gives way first, down to [`LEAST_EDGE`], then the samples.
+/// its samples and the cells of its light are, so that it takes [`TARGET`]. The size gives way first, down to [`LEAST_EDGE`], then samples and cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pace {
     /// Share of the whole picture's edge.
@@ -27,7 +32,7 @@ pub struct Pace {
 
 impl Default for Pace {
     fn default() -> Self {
-        Self { share: 0.5, distance: 1.0 }
+        Self { share: 0.5, distance: 2.0 }
     }
 }
 
@@ -44,6 +49,24 @@ impl Pace {
     pub fn distance(&self) -> f32 {
         // Steps of a half: what depends on the distance is made anew with each change.
         ((self.distance * 2.0 + 0.5).floor() * 0.5) as f32
+    }
+
+    /// The most cells along a side of the next picture's light; as many as the scene says if `None`.
+    #[must_use]
+    pub fn light_cells(&self) -> Option<u32> {
+        let distance = f64::from(self.distance());
+        (distance > 1.0).then_some((CELLS / distance) as u32)
+    }
+
+    /// The next picture, of a whole one of `size`.
+    #[must_use]
+    pub fn rung(&self, size: [u32; 2]) -> Rung {
+        Rung {
+            size: self.size(size),
+            single_rays: true,
+            distance: self.distance(),
+            light_cells: self.light_cells(),
+        }
     }
 
     /// Takes the time into account that a picture of the size and distance that this named took, of a whole one of `size`.
@@ -120,6 +143,7 @@ mod tests {
     #[test]
     fn a_resolution_that_fits_stays() {
         let mut pace = Pace::default();
+        assert_eq!(pace.light_cells(), Some(96));
         let before = pace.clone();
         pace.took(TARGET * 1.1, [800, 600]);
         pace.took(TARGET * 0.9, [800, 600]);
