@@ -12,11 +12,13 @@ mod font;
 mod legend;
 mod orientation;
 mod scale_bar;
+mod screen;
 mod sheet;
 mod style;
 mod unit;
 
 pub use scale_bar::round_length;
+pub use screen::screen_picture;
 pub use sheet::{Tile, contact_sheet};
 
 use canvas::Canvas;

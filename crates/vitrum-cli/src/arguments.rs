@@ -1,7 +1,8 @@
 //! The command line as a whole; each command's own arguments stand beside it.
 
 use crate::commands::{
-    completions, convert, devices, diff, info, keys, man, presets, render, scene, scenes, schema, turntable, voxelize,
+    completions, convert, devices, diff, info, keys, man, presets, render, scene, scenes, schema, turntable, view,
+    voxelize,
 };
 use crate::{examples, topics};
 use clap::{Parser, Subcommand};
@@ -21,6 +22,8 @@ pub enum Command {
     Render(Box<render::Arguments>),
     #[command(after_help = examples::TURNTABLE)]
     Turntable(Box<turntable::Arguments>),
+    #[command(after_help = examples::VIEW)]
+    View(view::Arguments),
     #[command(after_help = examples::VOXELIZE)]
     Voxelize(voxelize::Arguments),
     #[command(after_help = examples::INFO)]

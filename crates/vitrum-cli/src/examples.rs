@@ -22,6 +22,14 @@ Examples:
   vitrum turntable builtin:ball -o frames --size 640x480
   vitrum turntable scene.toml -o film.mp4 --keys keys.toml --rate 25";
 
+pub const VIEW: &str = "\
+Examples:
+  vitrum view head.nrrd
+  vitrum view builtin:ball -- --backend gpu
+  vitrum view -- --watch scene.toml
+
+The window is the program `vitrum-viewer`: `vitrum-viewer --help` tells its flags.";
+
 pub const VOXELIZE: &str = "\
 Examples:
   vitrum voxelize bunny.ply -r 256 -o bunny.nrrd

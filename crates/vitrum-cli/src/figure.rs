@@ -5,7 +5,7 @@ use std::path::Path;
 use vitrum::io::{Picture, Staged, stage_text};
 use vitrum::scene::{Background, Scene};
 use vitrum::{Assets, Frame, Layers, framed};
-use vitrum_annotations::{AnnotationError, Overlay};
+use vitrum_annotations::{AnnotationError, Overlay, screen_picture};
 
 /// Formats of the screen, whose pictures are annotated.
 const OF_SCREENS: [&str; 6] = ["png", "apng", "jpg", "jpeg", "gif", "mp4"];
@@ -46,13 +46,7 @@ impl Figure {
 
     /// The frame's picture for a screen; `opaque` for a format without alpha, in which what is clear is black.
     pub fn screen_picture(&self, frame: Frame, opaque: bool) -> Result<Picture, Failure> {
-        let mut picture = if opaque { frame.into_picture() } else { frame.into_straight_picture() };
-        picture.layers.truncate(1);
-        if opaque && let Some(layer) = picture.layers.first_mut() {
-            layer.channels.retain(|channel| channel.name != "A");
-        }
-        self.overlay.as_ref().map_or(Ok(()), |overlay| overlay.draw(&mut picture))?;
-        Ok(picture)
+        Ok(screen_picture(frame, self.overlay.as_ref(), opaque)?)
     }
 
     /// The outputs that a file's picture has.

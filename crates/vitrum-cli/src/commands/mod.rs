@@ -14,6 +14,7 @@ pub mod scene;
 pub mod scenes;
 pub mod schema;
 pub mod turntable;
+pub mod view;
 pub mod voxelize;
 
 use crate::arguments::Command;
@@ -27,6 +28,7 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Turntable(arguments) => turntable::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
         Command::Voxelize(arguments) => voxelize::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),

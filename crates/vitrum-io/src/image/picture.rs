@@ -1,5 +1,7 @@
 //! A picture in memory.
 
+use super::srgb::{linear_to_srgb, to_8_bits};
+
 /// Layers of channels of one size. Values are linear and unbounded; row 0 is on top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
@@ -81,6 +83,17 @@ impl Picture {
             Samples::Gray(gray) => gray.iter().map(|&gray| [gray; 3]).collect(),
         }
     }
+
+    /// The first layer's pixels as an 8-bit PNG has them: red, green and blue in sRGB, and a straight alpha, 255 where there is none.
+    #[must_use]
+    pub fn to_srgb8(&self) -> Vec<[u8; 4]> {
+        let code = |value: f32| to_8_bits(linear_to_srgb(value));
+        let coverage = self.layers.first().and_then(|layer| layer.channel("A"));
+        let alpha =
+            |pixel: usize| coverage.and_then(|plane| plane.get(pixel)).map_or(u8::MAX, |&value| to_8_bits(value));
+        let pixels = self.color().into_iter().enumerate();
+        pixels.map(|(at, [r, g, b])| [code(r), code(g), code(b), alpha(at)]).collect()
+    }
 }
 
 /// The name of the first layer.
@@ -150,5 +163,17 @@ impl Layer {
             out.extend(planes.iter().filter_map(|plane| plane.get(pixel)).map(|&v| color(v)));
             out.extend(coverage.and_then(|plane| plane.get(pixel)).map(|&v| alpha(v)));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Picture;
+
+    #[test]
+    fn the_codes_of_a_screen_are_those_of_a_png() {
+        let picture = Picture::rgba(2, 1, vec![[0.0, 0.214_041, 7.0, 0.5], [1.0, -1.0, 0.5, 1.0]]);
+        assert_eq!(picture.to_srgb8(), [[0, 128, 255, 128], [255, 0, 188, 255]]);
+        assert_eq!(Picture::gray(1, 1, vec![1.0]).to_srgb8(), [[255; 4]]);
     }
 }

@@ -1,11 +1,13 @@
 //! A scene composed of an input, the look of a preset and single keys, and the data that it shows.
 
+mod command;
 mod error;
 mod input;
 mod projection;
 mod quality;
 mod sides;
 
+pub use command::shell_command;
 pub use error::CompositionError;
 pub use input::{Opened, is_scene_file, open, read_text};
 pub use quality::Quality;
@@ -18,6 +20,9 @@ use crate::{Assets, preset, shown};
 use std::path::{Path, PathBuf};
 use vitrum_io::transfer::read_transfer;
 use vitrum_io::{Mesh, Volume};
+
+/// Reads the data that a scene names; relative paths start at the folder.
+type Load<'a> = dyn Fn(&Scene, &Path) -> Result<Assets, Error> + 'a;
 
 /// Bounds of meshes whose size is not known yet.
 const UNIT: [Vector; 2] = [[-1.0; 3], [1.0; 3]];
@@ -73,12 +78,24 @@ impl Composition {
     /// [`CompositionError`] where the input cannot be read, there is no such preset or medium, or the scene is not valid with a change. Names and
     /// values are checked before the volume is read.
     pub fn compose(&self) -> Result<Composed, CompositionError> {
-        let composed = self.compose_any_side()?;
+        self.compose_with(&|scene, base| Assets::load_within(scene, base, self.max_bytes))
+    }
+
+    /// As [`Self::compose`], of data that has been read before: those of an earlier [`Composed`] of the same input.
+    ///
+    /// # Errors
+    /// As [`Self::compose`].
+    pub fn compose_again(&self, assets: &Assets) -> Result<Composed, CompositionError> {
+        self.compose_with(&|_, _| Ok(assets.clone()))
+    }
+
+    fn compose_with(&self, load: &Load<'_>) -> Result<Composed, CompositionError> {
+        let composed = self.compose_any_side(load)?;
         self.side.map_or(Ok(()), |side| side.check(&composed.assets.subject))?;
         Ok(composed)
     }
 
-    fn compose_any_side(&self) -> Result<Composed, CompositionError> {
+    fn compose_any_side(&self, load: &Load<'_>) -> Result<Composed, CompositionError> {
         let Opened { mut scene, base, bare } = open(&self.input)?;
         if bare && self.source.raw.is_some() {
             scene = input::without_mesh(scene);
@@ -90,7 +107,7 @@ impl Composition {
             if self.transfer.is_some() || !self.adjustments.is_empty() {
                 return Err(CompositionError::NoTransferFunction { input: self.input.clone() });
             }
-            return self.compose_mesh(scene, base, bare);
+            return self.compose_mesh(scene, base, bare, load);
         }
         if let Some(name) = &self.medium {
             // It fails: without a mesh there is nothing to put into a medium.
@@ -104,7 +121,7 @@ impl Composition {
         let mut before = scene.clone();
         let adds = !self.adjustments.isosurfaces.is_empty();
         self.change(&mut before, is_chosen || self.preset.is_some() || file.is_some() || adds)?;
-        let assets = Assets::load_within(&before, &base, self.max_bytes)?;
+        let assets = load(&before, &base)?;
         let mut notes = Vec::new();
         let surfaces_alone = is_chosen && self.adjustments.are_isosurfaces();
         let choose = |volume: &Volume| {
@@ -141,7 +158,13 @@ impl Composition {
     }
 
     /// The look of a mesh does not depend on the contents of its file.
-    fn compose_mesh(&self, mut scene: Scene, base: PathBuf, bare: bool) -> Result<Composed, CompositionError> {
+    fn compose_mesh(
+        &self,
+        mut scene: Scene,
+        base: PathBuf,
+        bare: bool,
+        load: &Load<'_>,
+    ) -> Result<Composed, CompositionError> {
         match &self.preset {
             Some(name) => preset::apply_to_mesh(name, &mut scene)?,
             None if bare => preset::surround_mesh(&mut scene),
@@ -149,14 +172,14 @@ impl Composition {
         }
         let Some(medium) = &self.medium else {
             self.change(&mut scene, false)?;
-            let assets = Assets::load_within(&scene, &base, self.max_bytes)?;
+            let assets = load(&scene, &base)?;
             return Ok(Composed { scene, base, assets, notes: Vec::new() });
         };
         // The density of a medium depends on the size of the meshes, and their size on the settings.
         let mut before = scene.clone();
         preset::put_into_medium(medium, UNIT, &mut before)?;
         self.change(&mut before, false)?;
-        let assets = Assets::load_within(&before, &base, self.max_bytes)?;
+        let assets = load(&before, &base)?;
         preset::put_into_medium(medium, assets.subject.mesh().map_or(UNIT, Mesh::bounds), &mut scene)?;
         self.change(&mut scene, false)?;
         Ok(Composed { scene, base, assets, notes: Vec::new() })

@@ -56,7 +56,7 @@ impl Side {
     }
 
     /// Turns the camera to the side, straight. From above and below there is no ground.
-    pub(super) fn look(self, scene: &mut Scene) {
+    pub fn look(self, scene: &mut Scene) {
         let camera = &mut scene.camera;
         (camera.azimuth, camera.up) = self.camera();
         (camera.elevation, camera.roll, camera.position) = (0.0, 0.0, None);

@@ -4,6 +4,7 @@ mod accumulator;
 mod background;
 mod catcher;
 mod frame;
+mod metadata;
 mod output;
 mod refinement;
 mod resolve;

@@ -169,6 +169,22 @@ impl<'a> Shape<'a> {
         self.outer["x-color"] == true
     }
 
+    /// What the key means.
+    pub fn description(self) -> String {
+        let text = self.outer["description"].as_str().or(self.inner["description"].as_str());
+        text.unwrap_or_default().replace('\n', " ")
+    }
+
+    /// The values that a key chooses from, and what each means.
+    pub fn choices(self) -> Vec<(&'a str, &'a str)> {
+        let choices = self.inner["oneOf"].as_array().into_iter().flatten();
+        let described = |choice: &'a Value| {
+            let name = choice["const"].as_str()?;
+            Some((name, choice["description"].as_str().unwrap_or_default()))
+        };
+        choices.filter_map(described).collect()
+    }
+
     /// The names of a table's keys, in their order of declaration.
     pub fn keys(self) -> Vec<&'a str> {
         self.inner["properties"].as_object().map_or_else(Vec::new, |keys| keys.keys().map(String::as_str).collect())

@@ -56,10 +56,11 @@ pub(super) fn push_line(text: &mut String, key: &str, value: &Value) {
     };
 }
 
-/// The value on one line. The scene's floats are f32: written as such, 0.3 is not 0.30000001192092896.
-fn inline(value: &Value) -> String {
+/// The value on one line. Nearly all of the scene's floats are f32: written as such, 0.3 is not 0.30000001192092896.
+pub(super) fn inline(value: &Value) -> String {
     match value {
-        Value::Float(number) => format!("{:?}", *number as f32),
+        Value::Float(number) if f64::from(*number as f32) == *number => format!("{:?}", *number as f32),
+        Value::Float(number) => format!("{number:?}"),
         Value::Array(items) => format!("[{}]", items.iter().map(inline).collect::<Vec<_>>().join(", ")),
         Value::Table(table) => {
             let members = table.iter().map(|(key, value)| format!("{key} = {}", inline(value)));

@@ -9,7 +9,7 @@ use vitrum::io::{
     Picture, Staged, check_holds_lengths, check_holds_vectors, check_writable, stage_picture_with, stage_text,
 };
 use vitrum::scene::Scene;
-use vitrum::{Frame, Statistics, method};
+use vitrum::{Frame, method};
 
 /// Whether every output could be written now, and each to a file of its own.
 pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
@@ -56,7 +56,7 @@ pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> 
 
 /// Writes the picture, the named outputs and the statistics: all of them, or none.
 pub fn write_outputs(arguments: &Arguments, scene: &Scene, mut frame: Frame, figure: &Figure) -> Result<(), Failure> {
-    let metadata = metadata(scene, &frame.statistics)?;
+    let metadata = frame.metadata(scene)?;
     let options = arguments.bits.options();
     let stage = |file: &Path, picture: &Picture| {
         stage_picture_with(file, picture, &metadata, &options).map_err(|error| Failure::output(&error))
@@ -79,20 +79,4 @@ pub fn write_outputs(arguments: &Arguments, scene: &Scene, mut frame: Frame, fig
     // Formats without layers write the first one, the color. Large pictures are in memory once.
     staged.push(stage(&arguments.output, &figure.picture(frame, &arguments.output)?)?);
     staged.into_iter().try_for_each(Staged::put).map_err(|error| Failure::output(&error))
-}
-
-/// The metadata from which the picture can be rendered again.
-fn metadata(scene: &Scene, statistics: &Statistics) -> Result<Vec<(String, String)>, Failure> {
-    let camera = statistics.camera.as_ref();
-    let text = |value: Option<serde_json::Value>| value.unwrap_or_default().to_string();
-    let entries = [
-        ("Software", format!("vitrum {}", env!("CARGO_PKG_VERSION"))),
-        ("vitrum.scene", scene.to_toml()?),
-        ("vitrum.backend", statistics.backend.clone()),
-        ("vitrum.adapter", statistics.adapter.clone()),
-        ("vitrum.pixel_size", text(camera.map(|camera| camera.pixel_size.into()))),
-        ("vitrum.view", text(camera.map(|camera| serde_json::json!(camera.view)))),
-        ("vitrum.projection", text(camera.map(|camera| serde_json::json!(camera.projection)))),
-    ];
-    Ok(entries.map(|(key, value)| (key.to_owned(), value)).into())
 }
