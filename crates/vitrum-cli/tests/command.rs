@@ -7,7 +7,8 @@ use std::process::Command;
 use vitrum::composition::{Composed, Composition, shell_command};
 use vitrum::preset::Surface;
 use vitrum::scene::{
-    Annotation, AnnotationKind, ColorPoint, IorPoint, Isosurface, Light, LightKind, OpacityPoint, Scene,
+    Annotation, AnnotationKind, ColorPoint, GradientFunction, IorPoint, Isosurface, Light, LightKind, OpacityPoint,
+    Scene,
 };
 
 /// A body of three values, 8³ voxels.
@@ -93,6 +94,24 @@ fn isosurfaces_and_words_that_a_shell_takes_apart_come_back() {
         let words = Some("two lines\n\"$HOME\" isn't `here`".to_owned());
         scene.annotation = vec![Annotation { kind: AnnotationKind::Caption, text: words, ..Annotation::default() }];
     });
+}
+
+#[test]
+fn gradients_come_back() {
+    let folder = Folder::new();
+    folder.write("body.nrrd", volume());
+    let input = folder.file("body.nrrd");
+    let mut composition = of(input.to_str().expect("Unicode"), Some("plain"));
+    composition.adjustments.gradient = ["20:0", "400.5:1"].map(|point| point.parse().expect("a point")).to_vec();
+    let text = assert_comes_back(&folder, &composition, |scene| {
+        scene.transfer.gradient[0].values = Some([-100.0, 300.5]);
+        scene.transfer.gradient[0].opacity[0].factor = 0.25;
+        scene
+            .transfer
+            .gradient
+            .push(GradientFunction { color: [1.0, 0.5, 0.1], ..GradientFunction::of_opacity(Vec::new()) });
+    });
+    assert!(text.contains("--gradient-opacity=20:0,400.5:1"), "{text}");
 }
 
 #[test]

@@ -45,12 +45,15 @@ impl Composition {
         flag("quality", self.quality.map(|quality| quality.name().to_owned()));
         flag("view", self.side.map(|side| side.name().to_owned()));
         flag("transfer", self.transfer.as_deref().map(path));
-        let Adjustments { threshold, window, colormap, isosurfaces } = &self.adjustments;
+        let Adjustments { threshold, window, colormap, isosurfaces, gradient } = &self.adjustments;
         flag("threshold", threshold.map(|threshold| threshold.to_string()));
         flag("window", window.map(|[width, _]| width.to_string()));
         flag("level", window.map(|[_, level]| level.to_string()));
         flag("colormap", colormap.clone());
         isosurfaces.iter().for_each(|surface| flag("isosurface", Some(written(surface))));
+        let points: Vec<String> =
+            gradient.iter().map(|point| format!("{}:{}", point.magnitude, point.factor)).collect();
+        flag("gradient-opacity", (!points.is_empty()).then(|| points.join(",")));
         flag("size", self.size.map(|[width, height]| format!("{width}x{height}")));
         self.settings.iter().for_each(|setting| flag("set", Some(setting.clone())));
         words
