@@ -37,6 +37,7 @@ modules! {
     sweep_advance_nodes_f32_with_ior_paged
     sweep_advance_nodes_u16
     sweep_advance_nodes_u16_paged
+    sweep_advance_nodes_u16_with_color
     sweep_advance_nodes_u8
     sweep_advance_nodes_u8_paged
     sweep_blur_nodes
@@ -56,6 +57,7 @@ modules! {
     sweep_follow_rays_f32_with_ior_paged
     sweep_follow_rays_u16
     sweep_follow_rays_u16_paged
+    sweep_follow_rays_u16_with_color
     sweep_follow_rays_u8
     sweep_follow_rays_u8_paged
     sweep_gather_light
@@ -71,6 +73,7 @@ modules! {
     sweep_project_rays_f32_with_ior_paged
     sweep_project_rays_u16
     sweep_project_rays_u16_paged
+    sweep_project_rays_u16_with_color
     sweep_project_rays_u8
     sweep_project_rays_u8_paged
     sweep_propagate_rays_f32
@@ -79,6 +82,7 @@ modules! {
     sweep_propagate_rays_f32_with_ior_paged
     sweep_propagate_rays_u16
     sweep_propagate_rays_u16_paged
+    sweep_propagate_rays_u16_with_color
     sweep_propagate_rays_u8
     sweep_propagate_rays_u8_paged
     sweep_refract_light_f32
@@ -87,6 +91,7 @@ modules! {
     sweep_refract_light_f32_with_ior_paged
     sweep_refract_light_u16
     sweep_refract_light_u16_paged
+    sweep_refract_light_u16_with_color
     sweep_refract_light_u8
     sweep_refract_light_u8_paged
     sweep_resolve

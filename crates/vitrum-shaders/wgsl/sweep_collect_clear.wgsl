@@ -198,8 +198,8 @@ var<storage> global_4: type_20;
 @group(0) @binding(3)
 var<storage> global_5: type_20;
 fn function_() {
-var phi_1681_: u32;
-var phi_1682_: u32;
+var phi_1683_: u32;
+var phi_1684_: u32;
 var phi_245_: i32;
 var phi_422_: f32;
 var phi_456_: f32;
@@ -218,7 +218,7 @@ var phi_1382_: vec3<f32>;
 var phi_1418_: i32;
 var phi_1545_: vec3<f32>;
 var phi_1643_: i32;
-var phi_1790_: type_21;
+var phi_1794_: type_21;
 let _e51 = global;
 let _e55 = arrayLength((&global_3.member));
 let _e60 = global_2.member.member_2;
@@ -584,25 +584,26 @@ let _e1098 = select(0i, select(select(i32(_e1091), i32(-2147483648), (_e1091 < -
 phi_1643_ = (32768i + (_e1098 - select(0i, 1i, (_e1091 < f32(_e1098)))));
 }
 let _e1127 = phi_1643_;
-let _e1134 = ((bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u)) * 16255f) + 0.5f);
-let _e1135 = (2f * 16255f);
-let _e1137 = select(0f, _e1134, (_e1134 > 0f));
-let _e1139 = select(_e1135, _e1137, (_e1137 < _e1135));
-let _e1146 = select(0i, select(select(i32(_e1139), i32(-2147483648), (_e1139 < -2147483600f)), 2147483647i, (_e1139 > 2147483500f)), (_e1139 == _e1139));
-phi_1790_ = type_21(vec3<f32>((_e1059 * _e1076), (_e1060 * _e1076), (_e1061 * _e1076)), bitcast<f32>(((select(0u, 2147483648u, (_e1075 < 0f)) | (bitcast<u32>(((_e1146 - select(0i, 1i, (_e1139 < f32(_e1146)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1127))));
+let _e1132 = ((bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u)) * 16255f) + 0.5f);
+let _e1133 = (2f * 16255f);
+let _e1135 = select(0f, _e1132, (_e1132 > 0f));
+let _e1137 = select(_e1133, _e1135, (_e1135 < _e1133));
+let _e1144 = select(0i, select(select(i32(_e1137), i32(-2147483648), (_e1137 < -2147483600f)), 2147483647i, (_e1137 > 2147483500f)), (_e1137 == _e1137));
+let _e1148 = (_e1144 - select(0i, 1i, (_e1137 < f32(_e1144))));
+phi_1794_ = type_21(vec3<f32>((_e1059 * _e1076), (_e1060 * _e1076), (_e1061 * _e1076)), bitcast<f32>(((select(0u, 2147483648u, ((_e1075 < 0f) && (_e1148 > 0i))) | (bitcast<u32>((_e1148 + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1127))));
 } else {
 let _e133 = global_2.member.member_12.member_4.member;
 let _e143 = global_2.member.member_12.member_4.member_1;
 let _e146 = ((((_e115 >= 0i) && (_e115 <= bitcast<i32>(_e133))) && (_e118 >= 0i)) && (_e118 <= bitcast<i32>(_e143)));
 if _e146 {
-phi_1681_ = bitcast<u32>(_e118);
-phi_1682_ = bitcast<u32>(_e115);
+phi_1683_ = bitcast<u32>(_e118);
+phi_1684_ = bitcast<u32>(_e115);
 } else {
-phi_1681_ = 0u;
-phi_1682_ = 0u;
+phi_1683_ = 0u;
+phi_1684_ = 0u;
 }
-let _e150 = phi_1681_;
-let _e152 = phi_1682_;
+let _e150 = phi_1683_;
+let _e152 = phi_1684_;
 let _e153 = (_e133 + 1u);
 let _e156 = bitcast<i32>((_e153 * (_e143 + 1u)));
 let _e161 = ((6i * _e156) + bitcast<i32>(((_e150 * _e153) + _e152)));
@@ -621,11 +622,11 @@ let _e199 = select(0f, _e196, (_e196 > 0f));
 let _e201 = select(_e197, _e199, (_e199 < _e197));
 let _e208 = select(0i, select(select(i32(_e201), i32(-2147483648), (_e201 < -2147483600f)), 2147483647i, (_e201 > 2147483500f)), (_e201 == _e201));
 let _e212 = (_e208 - select(0i, 1i, (_e201 < f32(_e208))));
-phi_1790_ = type_21(vec3<f32>(select(1f, _e171, _e146), select(1f, _e180, _e146), select(1f, _e190, _e146)), bitcast<f32>(((bitcast<u32>((_e212 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e212)))));
+phi_1794_ = type_21(vec3<f32>(select(1f, _e171, _e146), select(1f, _e180, _e146), select(1f, _e190, _e146)), bitcast<f32>(((bitcast<u32>((_e212 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e212)))));
 }
-let _e1161 = phi_1790_;
-global_1.member[_e78] = _e1161.member.x;
-global_1.member[((_e63.member * _e63.member_1) + _e78)] = _e1161.member_1;
+let _e1163 = phi_1794_;
+global_1.member[_e78] = _e1163.member.x;
+global_1.member[((_e63.member * _e63.member_1) + _e78)] = _e1163.member_1;
 }
 }
 return;

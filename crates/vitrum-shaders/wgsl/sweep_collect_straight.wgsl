@@ -198,8 +198,8 @@ var<storage> global_4: type_20;
 @group(0) @binding(3)
 var<storage> global_5: type_20;
 fn function_() {
-var phi_1712_: u32;
-var phi_1713_: u32;
+var phi_1714_: u32;
+var phi_1715_: u32;
 var phi_276_: i32;
 var phi_453_: f32;
 var phi_487_: f32;
@@ -218,7 +218,7 @@ var phi_1413_: vec3<f32>;
 var phi_1449_: i32;
 var phi_1576_: vec3<f32>;
 var phi_1674_: i32;
-var phi_1821_: type_21;
+var phi_1825_: type_21;
 let _e51 = global;
 let _e55 = arrayLength((&global_3.member));
 let _e60 = global_2.member.member_2;
@@ -583,25 +583,26 @@ let _e1096 = select(0i, select(select(i32(_e1089), i32(-2147483648), (_e1089 < -
 phi_1674_ = (32768i + (_e1096 - select(0i, 1i, (_e1089 < f32(_e1096)))));
 }
 let _e1125 = phi_1674_;
-let _e1132 = ((bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) * 16255f) + 0.5f);
-let _e1133 = (2f * 16255f);
-let _e1135 = select(0f, _e1132, (_e1132 > 0f));
-let _e1137 = select(_e1133, _e1135, (_e1135 < _e1133));
-let _e1144 = select(0i, select(select(i32(_e1137), i32(-2147483648), (_e1137 < -2147483600f)), 2147483647i, (_e1137 > 2147483500f)), (_e1137 == _e1137));
-phi_1821_ = type_21(vec3<f32>((_e1057 * _e1074), (_e1058 * _e1074), (_e1059 * _e1074)), bitcast<f32>(((select(0u, 2147483648u, (_e1073 < 0f)) | (bitcast<u32>(((_e1144 - select(0i, 1i, (_e1137 < f32(_e1144)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1125))));
+let _e1130 = ((bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) * 16255f) + 0.5f);
+let _e1131 = (2f * 16255f);
+let _e1133 = select(0f, _e1130, (_e1130 > 0f));
+let _e1135 = select(_e1131, _e1133, (_e1133 < _e1131));
+let _e1142 = select(0i, select(select(i32(_e1135), i32(-2147483648), (_e1135 < -2147483600f)), 2147483647i, (_e1135 > 2147483500f)), (_e1135 == _e1135));
+let _e1146 = (_e1142 - select(0i, 1i, (_e1135 < f32(_e1142))));
+phi_1825_ = type_21(vec3<f32>((_e1057 * _e1074), (_e1058 * _e1074), (_e1059 * _e1074)), bitcast<f32>(((select(0u, 2147483648u, ((_e1073 < 0f) && (_e1146 > 0i))) | (bitcast<u32>((_e1146 + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1125))));
 } else {
 let _e131 = global_2.member.member_12.member_4.member;
 let _e141 = global_2.member.member_12.member_4.member_1;
 let _e144 = ((((_e113 >= 0i) && (_e113 <= bitcast<i32>(_e131))) && (_e116 >= 0i)) && (_e116 <= bitcast<i32>(_e141)));
 if _e144 {
-phi_1712_ = bitcast<u32>(_e116);
-phi_1713_ = bitcast<u32>(_e113);
+phi_1714_ = bitcast<u32>(_e116);
+phi_1715_ = bitcast<u32>(_e113);
 } else {
-phi_1712_ = 0u;
-phi_1713_ = 0u;
+phi_1714_ = 0u;
+phi_1715_ = 0u;
 }
-let _e148 = phi_1712_;
-let _e150 = phi_1713_;
+let _e148 = phi_1714_;
+let _e150 = phi_1715_;
 let _e151 = (_e131 + 1u);
 let _e154 = bitcast<i32>((_e151 * (_e141 + 1u)));
 let _e159 = ((6i * _e154) + bitcast<i32>(((_e148 * _e151) + _e150)));
@@ -620,10 +621,10 @@ let _e197 = select(0f, _e194, (_e194 > 0f));
 let _e199 = select(_e195, _e197, (_e197 < _e195));
 let _e206 = select(0i, select(select(i32(_e199), i32(-2147483648), (_e199 < -2147483600f)), 2147483647i, (_e199 > 2147483500f)), (_e199 == _e199));
 let _e210 = (_e206 - select(0i, 1i, (_e199 < f32(_e206))));
-phi_1821_ = type_21(vec3<f32>(select(1f, _e169, _e144), select(1f, _e178, _e144), select(1f, _e188, _e144)), bitcast<f32>(((bitcast<u32>((_e210 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e210)))));
+phi_1825_ = type_21(vec3<f32>(select(1f, _e169, _e144), select(1f, _e178, _e144), select(1f, _e188, _e144)), bitcast<f32>(((bitcast<u32>((_e210 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e210)))));
 }
-let _e1159 = phi_1821_;
-global_1.member[((_e72 * _e63.member) + _e70)] = _e1159.member.x;
+let _e1161 = phi_1825_;
+global_1.member[((_e72 * _e63.member) + _e70)] = _e1161.member.x;
 }
 }
 return;

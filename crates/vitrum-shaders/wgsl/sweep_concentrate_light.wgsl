@@ -323,15 +323,16 @@ let _e459 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -214
 phi_927_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
 }
 let _e466 = phi_927_;
-let _e473 = ((bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 16255f) + 0.5f);
-let _e474 = (2f * 16255f);
-let _e476 = select(0f, _e473, (_e473 > 0f));
-let _e478 = select(_e474, _e476, (_e476 < _e474));
-let _e485 = select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < -2147483600f)), 2147483647i, (_e478 > 2147483500f)), (_e478 == _e478));
+let _e471 = ((bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 16255f) + 0.5f);
+let _e472 = (2f * 16255f);
+let _e474 = select(0f, _e471, (_e471 > 0f));
+let _e476 = select(_e472, _e474, (_e474 < _e472));
+let _e483 = select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < -2147483600f)), 2147483647i, (_e476 > 2147483500f)), (_e476 == _e476));
+let _e487 = (_e483 - select(0i, 1i, (_e476 < f32(_e483))));
 global_2.member[_e57] = (_e374 * _e332);
 global_2.member[(_e55 + _e57)] = (_e384 * _e332);
 global_2.member[((2u * _e55) + _e57)] = (_e395 * _e332);
-global_2.member[((3u * _e55) + _e57)] = bitcast<f32>(((select(0u, 2147483648u, (_e419 < 0f)) | (bitcast<u32>(((_e485 - select(0i, 1i, (_e478 < f32(_e485)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e466)));
+global_2.member[((3u * _e55) + _e57)] = bitcast<f32>(((select(0u, 2147483648u, ((_e419 < 0f) && (_e487 > 0i))) | (bitcast<u32>((_e487 + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e466)));
 }
 }
 return;

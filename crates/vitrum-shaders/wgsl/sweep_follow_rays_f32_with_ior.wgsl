@@ -345,75 +345,75 @@ var local_62: vec3<f32>;
 var local_63: type_30;
 var local_64: vec3<f32>;
 var local_65: type_32;
-var phi_9397_: vec3<f32>;
-var phi_8022_: vec3<f32>;
-var phi_9810_: f32;
-var phi_9811_: vec3<f32>;
-var phi_1109_: vec3<f32>;
-var phi_2431_: vec3<f32>;
-var phi_7624_: type_36;
-var phi_9813_: type_37;
-var phi_10326_: type_38;
-var phi_11661_: type_39;
-var phi_11698_: type_34;
-var phi_11802_: f32;
-var phi_11886_: f32;
-var phi_11958_: type_40;
-var phi_11963_: type_34;
-var phi_11965_: f32;
-var phi_11969_: type_37;
-var phi_11971_: i32;
-var phi_13446_: type_39;
-var phi_13458_: bool;
-var phi_13473_: vec3<f32>;
-var phi_22155_: vec3<f32>;
-var phi_20780_: vec3<f32>;
-var phi_22568_: f32;
-var phi_22569_: vec3<f32>;
-var phi_13867_: vec3<f32>;
-var phi_15189_: vec3<f32>;
-var phi_20382_: type_36;
-var phi_22571_: type_37;
-var phi_23096_: type_38;
-var phi_23292_: vec3<f32>;
-var phi_28043_: type_43;
-var phi_28044_: type_41;
-var phi_28045_: f32;
-var phi_28631_: vec3<f32>;
-var phi_29560_: type_38;
-var phi_33235_: type_42;
-var phi_33586_: type_43;
-var phi_33791_: vec3<f32>;
-var phi_34720_: type_38;
-var phi_38395_: type_42;
-var phi_38746_: type_43;
-var phi_39360_: type_38;
-var phi_40067_: i32;
-var phi_40644_: vec3<f32>;
-var phi_41051_: vec3<f32>;
-var phi_41145_: f32;
-var phi_41187_: f32;
-var phi_41418_: vec3<f32>;
-var phi_42978_: f32;
-var phi_43777_: f32;
-var phi_43787_: type_40;
-var phi_43919_: f32;
-var phi_43962_: f32;
-var phi_44915_: f32;
-var phi_44999_: f32;
-var phi_45071_: type_40;
-var phi_44410_: u32;
-var phi_44746_: f32;
-var phi_44778_: vec3<f32>;
-var phi_44804_: f32;
-var phi_45072_: type_40;
-var phi_45400_: type_34;
-var phi_45401_: f32;
-var phi_45403_: type_37;
-var phi_11964_: type_34;
-var phi_11966_: f32;
-var phi_11970_: type_37;
-var phi_11972_: i32;
+var phi_9400_: vec3<f32>;
+var phi_8025_: vec3<f32>;
+var phi_9813_: f32;
+var phi_9814_: vec3<f32>;
+var phi_1112_: vec3<f32>;
+var phi_2434_: vec3<f32>;
+var phi_7627_: type_36;
+var phi_9816_: type_37;
+var phi_10329_: type_38;
+var phi_11664_: type_39;
+var phi_11701_: type_34;
+var phi_11805_: f32;
+var phi_11889_: f32;
+var phi_11961_: type_40;
+var phi_11966_: type_34;
+var phi_11968_: f32;
+var phi_11972_: type_37;
+var phi_11974_: i32;
+var phi_13449_: type_39;
+var phi_13461_: bool;
+var phi_13476_: vec3<f32>;
+var phi_22158_: vec3<f32>;
+var phi_20783_: vec3<f32>;
+var phi_22571_: f32;
+var phi_22572_: vec3<f32>;
+var phi_13870_: vec3<f32>;
+var phi_15192_: vec3<f32>;
+var phi_20385_: type_36;
+var phi_22574_: type_37;
+var phi_23099_: type_38;
+var phi_23295_: vec3<f32>;
+var phi_28046_: type_43;
+var phi_28047_: type_41;
+var phi_28048_: f32;
+var phi_28636_: vec3<f32>;
+var phi_29565_: type_38;
+var phi_33240_: type_42;
+var phi_33591_: type_43;
+var phi_33796_: vec3<f32>;
+var phi_34725_: type_38;
+var phi_38400_: type_42;
+var phi_38751_: type_43;
+var phi_39365_: type_38;
+var phi_40072_: i32;
+var phi_40649_: vec3<f32>;
+var phi_41056_: vec3<f32>;
+var phi_41150_: f32;
+var phi_41192_: f32;
+var phi_41423_: vec3<f32>;
+var phi_42983_: f32;
+var phi_43782_: f32;
+var phi_43792_: type_40;
+var phi_43924_: f32;
+var phi_43967_: f32;
+var phi_44920_: f32;
+var phi_45004_: f32;
+var phi_45076_: type_40;
+var phi_44415_: u32;
+var phi_44751_: f32;
+var phi_44783_: vec3<f32>;
+var phi_44809_: f32;
+var phi_45077_: type_40;
+var phi_45405_: type_34;
+var phi_45406_: f32;
+var phi_45408_: type_37;
+var phi_11967_: type_34;
+var phi_11969_: f32;
+var phi_11973_: type_37;
+var phi_11975_: i32;
 var local_66: type_34;
 var local_67: type_34;
 var local_68: type_34;
@@ -592,7 +592,7 @@ let _e2000 = select(_e1993, _e626, (_e626 > _e1993));
 let _e2002 = select(_e1998, _e2000, (_e2000 < _e1998));
 let _e2007 = global_1.member.member_8.member_15;
 if (_e2007 == 0u) {
-phi_1109_ = vec3<f32>(_e1974, _e1988, _e2002);
+phi_1112_ = vec3<f32>(_e1974, _e1988, _e2002);
 } else {
 let _e2009 = (_e1974 + 0.5f);
 let _e2014 = global_1.member.member_8.member_3.member;
@@ -612,9 +612,9 @@ let _e2061 = (_e2060 - 1f);
 let _e2063 = select(0f, _e2055, (_e2055 > 0f));
 let _e2065 = select(_e2061, _e2063, (_e2063 < _e2061));
 let _e2072 = select(0i, select(select(i32(_e2065), i32(-2147483648), (_e2065 < -2147483600f)), 2147483647i, (_e2065 > 2147483500f)), (_e2065 == _e2065));
-phi_1109_ = vec3<f32>(f32((_e2026 - select(0i, 1i, (_e2019 < f32(_e2026))))), f32((_e2049 - select(0i, 1i, (_e2042 < f32(_e2049))))), f32((_e2072 - select(0i, 1i, (_e2065 < f32(_e2072))))));
+phi_1112_ = vec3<f32>(f32((_e2026 - select(0i, 1i, (_e2019 < f32(_e2026))))), f32((_e2049 - select(0i, 1i, (_e2042 < f32(_e2049))))), f32((_e2072 - select(0i, 1i, (_e2065 < f32(_e2072))))));
 }
-let _e2080 = phi_1109_;
+let _e2080 = phi_1112_;
 let _e2086 = global_1.member.member_8.member_3.member;
 let _e2088 = select(-1f, _e2080.x, (_e2080.x > -1f));
 let _e2090 = select(_e2086, _e2088, (_e2088 < _e2086));
@@ -904,7 +904,7 @@ let _e2815 = select(_e2808, _e671, (_e671 > _e2808));
 let _e2817 = select(_e2813, _e2815, (_e2815 < _e2813));
 let _e2822 = global_1.member.member_9.member_15;
 if (_e2822 == 0u) {
-phi_2431_ = vec3<f32>(_e2789, _e2803, _e2817);
+phi_2434_ = vec3<f32>(_e2789, _e2803, _e2817);
 } else {
 let _e2824 = (_e2789 + 0.5f);
 let _e2829 = global_1.member.member_9.member_3.member;
@@ -924,9 +924,9 @@ let _e2876 = (_e2875 - 1f);
 let _e2878 = select(0f, _e2870, (_e2870 > 0f));
 let _e2880 = select(_e2876, _e2878, (_e2878 < _e2876));
 let _e2887 = select(0i, select(select(i32(_e2880), i32(-2147483648), (_e2880 < -2147483600f)), 2147483647i, (_e2880 > 2147483500f)), (_e2880 == _e2880));
-phi_2431_ = vec3<f32>(f32((_e2841 - select(0i, 1i, (_e2834 < f32(_e2841))))), f32((_e2864 - select(0i, 1i, (_e2857 < f32(_e2864))))), f32((_e2887 - select(0i, 1i, (_e2880 < f32(_e2887))))));
+phi_2434_ = vec3<f32>(f32((_e2841 - select(0i, 1i, (_e2834 < f32(_e2841))))), f32((_e2864 - select(0i, 1i, (_e2857 < f32(_e2864))))), f32((_e2887 - select(0i, 1i, (_e2880 < f32(_e2887))))));
 }
-let _e2895 = phi_2431_;
+let _e2895 = phi_2434_;
 let _e2901 = global_1.member.member_9.member_3.member;
 let _e2903 = select(-1f, _e2895.x, (_e2895.x > -1f));
 let _e2905 = select(_e2901, _e2903, (_e2903 < _e2901));
@@ -1294,7 +1294,7 @@ if _e679 {
 let _e4274 = ((0.5f * (_e3565 - _e3559)) * _e3823);
 let _e4275 = ((0.5f * (_e3577 - _e3571)) * _e3823);
 let _e4276 = ((0.5f * (_e3589 - _e3583)) * _e3823);
-phi_7624_ = type_36(_e3785, vec3<f32>(_e4274, _e4275, _e4276), vec3<f32>((_e4274 * _e3785), (_e4275 * _e3785), (_e4276 * _e3785)));
+phi_7627_ = type_36(_e3785, vec3<f32>(_e4274, _e4275, _e4276), vec3<f32>((_e4274 * _e3785), (_e4275 * _e3785), (_e4276 * _e3785)));
 } else {
 local_57 = _e3559;
 let _e3824 = local_57;
@@ -1443,9 +1443,9 @@ let _e4249 = ((_e3770 + (f32(bitcast<i32>((_e4234 >> bitcast<u32>(12u)))) * _e37
 let _e4250 = (_e3965 - _e3894);
 let _e4252 = (_e4107 - _e4036);
 let _e4254 = (_e4249 - _e4178);
-phi_7624_ = type_36(_e3785, vec3<f32>((0.5f * _e4250), (0.5f * _e4252), (0.5f * _e4254)), vec3<f32>((0.25f * (_e4250 * (_e3965 + _e3894))), (0.25f * (_e4252 * (_e4107 + _e4036))), (0.25f * (_e4254 * (_e4249 + _e4178)))));
+phi_7627_ = type_36(_e3785, vec3<f32>((0.5f * _e4250), (0.5f * _e4252), (0.5f * _e4254)), vec3<f32>((0.25f * (_e4250 * (_e3965 + _e3894))), (0.25f * (_e4252 * (_e4107 + _e4036))), (0.25f * (_e4254 * (_e4249 + _e4178)))));
 }
-let _e4284 = phi_7624_;
+let _e4284 = phi_7627_;
 let _e4299 = select(0f, 1f, ((((((_e641 >= _e2780) && (_e641 <= _e2785)) && (_e656 >= _e2794)) && (_e656 <= _e2799)) && (_e671 >= _e2808)) && (_e671 <= _e2813)));
 let _e4301 = (0.5f * (_e3565 - _e3559));
 let _e4303 = (0.5f * (_e3577 - _e3571));
@@ -1471,7 +1471,7 @@ let _e4420 = global_1.member.member_8.member_1.member.member_2;
 let _e4426 = global_1.member.member_8.member_2.member.member;
 let _e4432 = global_1.member.member_8.member_2.member.member_1;
 let _e4438 = global_1.member.member_8.member_2.member.member_2;
-phi_9813_ = type_37(select(1e9f, _e2737, (_e2737 < 1e9f)), vec3<f32>(((((_e4311 * _e4301) + (_e4329 * _e4303)) + (_e4347 * _e4305)) * _e4299), ((((_e4317 * _e4301) + (_e4335 * _e4303)) + (_e4353 * _e4305)) * _e4299), ((((_e4323 * _e4301) + (_e4341 * _e4303)) + (_e4359 * _e4305)) * _e4299)), vec3<f32>((((_e4390 * _e4380) + (_e4408 * _e4382)) + (_e4426 * _e4384)), (((_e4396 * _e4380) + (_e4414 * _e4382)) + (_e4432 * _e4384)), (((_e4402 * _e4380) + (_e4420 * _e4382)) + (_e4438 * _e4384))), _e4284.member, vec3<f32>(((((_e4311 * _e4284.member_2.x) + (_e4329 * _e4284.member_2.y)) + (_e4347 * _e4284.member_2.z)) * _e4299), ((((_e4317 * _e4284.member_2.x) + (_e4335 * _e4284.member_2.y)) + (_e4353 * _e4284.member_2.z)) * _e4299), ((((_e4323 * _e4284.member_2.x) + (_e4341 * _e4284.member_2.y)) + (_e4359 * _e4284.member_2.z)) * _e4299)), vec3<f32>(((((_e4311 * _e4284.member_1.x) + (_e4329 * _e4284.member_1.y)) + (_e4347 * _e4284.member_1.z)) * _e4299), ((((_e4317 * _e4284.member_1.x) + (_e4335 * _e4284.member_1.y)) + (_e4353 * _e4284.member_1.z)) * _e4299), ((((_e4323 * _e4284.member_1.x) + (_e4341 * _e4284.member_1.y)) + (_e4359 * _e4284.member_1.z)) * _e4299)));
+phi_9816_ = type_37(select(1e9f, _e2737, (_e2737 < 1e9f)), vec3<f32>(((((_e4311 * _e4301) + (_e4329 * _e4303)) + (_e4347 * _e4305)) * _e4299), ((((_e4317 * _e4301) + (_e4335 * _e4303)) + (_e4353 * _e4305)) * _e4299), ((((_e4323 * _e4301) + (_e4341 * _e4303)) + (_e4359 * _e4305)) * _e4299)), vec3<f32>((((_e4390 * _e4380) + (_e4408 * _e4382)) + (_e4426 * _e4384)), (((_e4396 * _e4380) + (_e4414 * _e4382)) + (_e4432 * _e4384)), (((_e4402 * _e4380) + (_e4420 * _e4382)) + (_e4438 * _e4384))), _e4284.member, vec3<f32>(((((_e4311 * _e4284.member_2.x) + (_e4329 * _e4284.member_2.y)) + (_e4347 * _e4284.member_2.z)) * _e4299), ((((_e4317 * _e4284.member_2.x) + (_e4335 * _e4284.member_2.y)) + (_e4353 * _e4284.member_2.z)) * _e4299), ((((_e4323 * _e4284.member_2.x) + (_e4341 * _e4284.member_2.y)) + (_e4359 * _e4284.member_2.z)) * _e4299)), vec3<f32>(((((_e4311 * _e4284.member_1.x) + (_e4329 * _e4284.member_1.y)) + (_e4347 * _e4284.member_1.z)) * _e4299), ((((_e4317 * _e4284.member_1.x) + (_e4335 * _e4284.member_1.y)) + (_e4353 * _e4284.member_1.z)) * _e4299), ((((_e4323 * _e4284.member_1.x) + (_e4341 * _e4284.member_1.y)) + (_e4359 * _e4284.member_1.z)) * _e4299)));
 } else {
 if (_e286.member_2 == 8u) {
 let _e1069 = global_1.member.member_8.member_4.member;
@@ -1488,7 +1488,7 @@ let _e1104 = select(_e1097, _e626, (_e626 > _e1097));
 let _e1106 = select(_e1102, _e1104, (_e1104 < _e1102));
 let _e1111 = global_1.member.member_8.member_15;
 if (_e1111 == 0u) {
-phi_8022_ = vec3<f32>(_e1078, _e1092, _e1106);
+phi_8025_ = vec3<f32>(_e1078, _e1092, _e1106);
 } else {
 let _e1113 = (_e1078 + 0.5f);
 let _e1118 = global_1.member.member_8.member_3.member;
@@ -1508,9 +1508,9 @@ let _e1165 = (_e1164 - 1f);
 let _e1167 = select(0f, _e1159, (_e1159 > 0f));
 let _e1169 = select(_e1165, _e1167, (_e1167 < _e1165));
 let _e1176 = select(0i, select(select(i32(_e1169), i32(-2147483648), (_e1169 < -2147483600f)), 2147483647i, (_e1169 > 2147483500f)), (_e1169 == _e1169));
-phi_8022_ = vec3<f32>(f32((_e1130 - select(0i, 1i, (_e1123 < f32(_e1130))))), f32((_e1153 - select(0i, 1i, (_e1146 < f32(_e1153))))), f32((_e1176 - select(0i, 1i, (_e1169 < f32(_e1176))))));
+phi_8025_ = vec3<f32>(f32((_e1130 - select(0i, 1i, (_e1123 < f32(_e1130))))), f32((_e1153 - select(0i, 1i, (_e1146 < f32(_e1153))))), f32((_e1176 - select(0i, 1i, (_e1169 < f32(_e1176))))));
 }
-let _e1184 = phi_8022_;
+let _e1184 = phi_8025_;
 let _e1190 = global_1.member.member_8.member_3.member;
 let _e1192 = select(-1f, _e1184.x, (_e1184.x > -1f));
 let _e1194 = select(_e1190, _e1192, (_e1192 < _e1190));
@@ -1798,8 +1798,8 @@ let _e1921 = global_1.member.member_8.member_1.member.member_2;
 let _e1927 = global_1.member.member_8.member_2.member.member;
 let _e1933 = global_1.member.member_8.member_2.member.member_1;
 let _e1939 = global_1.member.member_8.member_2.member.member_2;
-phi_9810_ = select(1e9f, _e1841, (_e1841 < 1e9f));
-phi_9811_ = vec3<f32>((((_e1891 * _e1881) + (_e1909 * _e1883)) + (_e1927 * _e1885)), (((_e1897 * _e1881) + (_e1915 * _e1883)) + (_e1933 * _e1885)), (((_e1903 * _e1881) + (_e1921 * _e1883)) + (_e1939 * _e1885)));
+phi_9813_ = select(1e9f, _e1841, (_e1841 < 1e9f));
+phi_9814_ = vec3<f32>((((_e1891 * _e1881) + (_e1909 * _e1883)) + (_e1927 * _e1885)), (((_e1897 * _e1881) + (_e1915 * _e1883)) + (_e1933 * _e1885)), (((_e1903 * _e1881) + (_e1921 * _e1883)) + (_e1939 * _e1885)));
 } else {
 let _e686 = global_1.member.member_8.member_4.member;
 let _e691 = global_1.member.member_8.member_5.member;
@@ -1815,7 +1815,7 @@ let _e721 = select(_e714, _e626, (_e626 > _e714));
 let _e723 = select(_e719, _e721, (_e721 < _e719));
 let _e728 = global_1.member.member_8.member_15;
 if (_e728 == 0u) {
-phi_9397_ = vec3<f32>(_e695, _e709, _e723);
+phi_9400_ = vec3<f32>(_e695, _e709, _e723);
 } else {
 let _e730 = (_e695 + 0.5f);
 let _e735 = global_1.member.member_8.member_3.member;
@@ -1835,9 +1835,9 @@ let _e782 = (_e781 - 1f);
 let _e784 = select(0f, _e776, (_e776 > 0f));
 let _e786 = select(_e782, _e784, (_e784 < _e782));
 let _e793 = select(0i, select(select(i32(_e786), i32(-2147483648), (_e786 < -2147483600f)), 2147483647i, (_e786 > 2147483500f)), (_e786 == _e786));
-phi_9397_ = vec3<f32>(f32((_e747 - select(0i, 1i, (_e740 < f32(_e747))))), f32((_e770 - select(0i, 1i, (_e763 < f32(_e770))))), f32((_e793 - select(0i, 1i, (_e786 < f32(_e793))))));
+phi_9400_ = vec3<f32>(f32((_e747 - select(0i, 1i, (_e740 < f32(_e747))))), f32((_e770 - select(0i, 1i, (_e763 < f32(_e770))))), f32((_e793 - select(0i, 1i, (_e786 < f32(_e793))))));
 }
-let _e801 = phi_9397_;
+let _e801 = phi_9400_;
 let _e807 = global_1.member.member_8.member_3.member;
 let _e809 = select(-1f, _e801.x, (_e801.x > -1f));
 let _e811 = select(_e807, _e809, (_e809 < _e807));
@@ -1925,18 +1925,18 @@ let _e1057 = global_1.member.member_8.member_7;
 let _e1059 = (((_e990 + (((_e1015 + (((_e1026 + ((bitcast<f32>(_e1035) - _e1026) * _e1037)) - _e1015) * _e1041)) - _e990) * _e1046)) - _e1053) * _e1057);
 let _e1060 = -(1e9f);
 let _e1062 = select(_e1060, _e1059, (_e1059 > _e1060));
-phi_9810_ = select(1e9f, _e1062, (_e1062 < 1e9f));
-phi_9811_ = vec3<f32>(0f, 0f, 0f);
+phi_9813_ = select(1e9f, _e1062, (_e1062 < 1e9f));
+phi_9814_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e1957 = phi_9810_;
-let _e1959 = phi_9811_;
-phi_9813_ = type_37(_e1957, vec3<f32>(0f, 0f, 0f), _e1959, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e1957 = phi_9813_;
+let _e1959 = phi_9814_;
+phi_9816_ = type_37(_e1957, vec3<f32>(0f, 0f, 0f), _e1959, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e4501 = phi_9813_;
+let _e4501 = phi_9816_;
 let _e4504 = global_1.member.member_1;
 let _e4506 = ((_e4504 & 16u) == 0u);
 if _e4506 {
-phi_10326_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_10329_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e4510 = global_1.member.member_16.member;
 let _e4521 = ((((_e4510.member.member * _e312) + (_e4510.member.member_1 * _e322)) + (_e4510.member.member_2 * _e333)) + _e4510.member_1);
@@ -2002,9 +2002,9 @@ let _e4696 = global_1.member.member_19.member_1;
 let _e4697 = (_e4696 != 0u);
 let _e4702 = select(0f, _e4691, _e4697);
 let _e4703 = select(1f, _e4692, _e4697);
-phi_10326_ = type_38(type_35(select(_e4691, _e4648, (_e4648 > _e4691)), select(_e4692, _e4650, (_e4650 < _e4692))), type_35(select(_e4702, _e4654, (_e4654 > _e4702)), select(_e4703, _e4656, (_e4656 < _e4703))), ((((1f * select(1f, 0f, (_e4544 && _e4536))) * select(1f, 0f, (_e4595 && _e4587))) * select(1f, 0f, (_e4646 && _e4638))) * select(1f, 0f, (_e4697 && _e4689))));
+phi_10329_ = type_38(type_35(select(_e4691, _e4648, (_e4648 > _e4691)), select(_e4692, _e4650, (_e4650 < _e4692))), type_35(select(_e4702, _e4654, (_e4654 > _e4702)), select(_e4703, _e4656, (_e4656 < _e4703))), ((((1f * select(1f, 0f, (_e4544 && _e4536))) * select(1f, 0f, (_e4595 && _e4587))) * select(1f, 0f, (_e4646 && _e4638))) * select(1f, 0f, (_e4697 && _e4689))));
 }
-let _e4715 = phi_10326_;
+let _e4715 = phi_10329_;
 if _e554 {
 let _e4717 = type_34(_e576, _e577, _e377, 4f, _e399, _e578, _e443, _e579, _e487, _e498, _e509, _e520, _e580);
 let _e4722 = global_1.member.member_7.member_2;
@@ -2130,7 +2130,7 @@ let _e5043 = select(select(select(select(select(select(0f, _e4754.member, _e4824
 let _e5044 = select(select(select(select(select(select(0f, _e4754.member_1, _e4824), _e4754.member_1, _e4864), _e4762.member_1, _e4904), _e4762.member_1, _e4944), _e4770.member_1, _e4984), _e4770.member_1, _e5024);
 let _e5045 = select(select(select(select(select(select(1f, _e4754.member_2, _e4824), _e4754.member_2, _e4864), _e4762.member_2, _e4904), _e4762.member_2, _e4944), _e4770.member_2, _e4984), _e4770.member_2, _e5024);
 if _e4506 {
-phi_11661_ = type_39(_e5030, vec3<f32>(_e5031, _e5032, _e5033), _e5035, vec3<f32>(_e5036, _e5037, _e5038), _e5040, _e5042, vec3<f32>(_e5043, _e5044, _e5045));
+phi_11664_ = type_39(_e5030, vec3<f32>(_e5031, _e5032, _e5033), _e5035, vec3<f32>(_e5036, _e5037, _e5038), _e5040, _e5042, vec3<f32>(_e5043, _e5044, _e5045));
 } else {
 let _e5052 = (((_e4754.member * _e4754.member) + (_e4754.member_1 * _e4754.member_1)) + (_e4754.member_2 * _e4754.member_2));
 let _e5055 = sqrt(select(0f, _e5052, (_e5052 > 0f)));
@@ -2210,21 +2210,21 @@ let _e5339 = select(2f, select(0f, _e5331, (_e5312 < 0f)), (_e5313 > 0f));
 let _e5340 = (_e5312 > _e5278);
 let _e5344 = ((_e5335 > _e5270) || ((_e5335 == _e5270) && _e5340));
 let _e5345 = (_e5339 < _e5274);
-phi_11661_ = type_39(select(_e5270, _e5335, _e5344), vec3<f32>(select(select(select(select(_e5031, _e5090.member, _e5116), _e5166.member, _e5192), _e5242.member, _e5268), _e5318.member, _e5344), select(select(select(select(_e5032, _e5090.member_1, _e5116), _e5166.member_1, _e5192), _e5242.member_1, _e5268), _e5318.member_1, _e5344), select(select(select(select(_e5033, _e5090.member_2, _e5116), _e5166.member_2, _e5192), _e5242.member_2, _e5268), _e5318.member_2, _e5344)), select(_e5274, _e5339, _e5345), vec3<f32>(select(select(select(select(_e5036, _e5090.member, _e5117), _e5166.member, _e5193), _e5242.member, _e5269), _e5318.member, _e5345), select(select(select(select(_e5037, _e5090.member_1, _e5117), _e5166.member_1, _e5193), _e5242.member_1, _e5269), _e5318.member_1, _e5345), select(select(select(select(_e5038, _e5090.member_2, _e5117), _e5166.member_2, _e5193), _e5242.member_2, _e5269), _e5318.member_2, _e5345)), select(_e5278, _e5312, _e5340), select(_e5280, _e5313, (_e5313 > _e5280)), vec3<f32>(select(select(select(select(_e5043, _e5090.member, _e5112), _e5166.member, _e5188), _e5242.member, _e5264), _e5318.member, _e5340), select(select(select(select(_e5044, _e5090.member_1, _e5112), _e5166.member_1, _e5188), _e5242.member_1, _e5264), _e5318.member_1, _e5340), select(select(select(select(_e5045, _e5090.member_2, _e5112), _e5166.member_2, _e5188), _e5242.member_2, _e5264), _e5318.member_2, _e5340)));
+phi_11664_ = type_39(select(_e5270, _e5335, _e5344), vec3<f32>(select(select(select(select(_e5031, _e5090.member, _e5116), _e5166.member, _e5192), _e5242.member, _e5268), _e5318.member, _e5344), select(select(select(select(_e5032, _e5090.member_1, _e5116), _e5166.member_1, _e5192), _e5242.member_1, _e5268), _e5318.member_1, _e5344), select(select(select(select(_e5033, _e5090.member_2, _e5116), _e5166.member_2, _e5192), _e5242.member_2, _e5268), _e5318.member_2, _e5344)), select(_e5274, _e5339, _e5345), vec3<f32>(select(select(select(select(_e5036, _e5090.member, _e5117), _e5166.member, _e5193), _e5242.member, _e5269), _e5318.member, _e5345), select(select(select(select(_e5037, _e5090.member_1, _e5117), _e5166.member_1, _e5193), _e5242.member_1, _e5269), _e5318.member_1, _e5345), select(select(select(select(_e5038, _e5090.member_2, _e5117), _e5166.member_2, _e5193), _e5242.member_2, _e5269), _e5318.member_2, _e5345)), select(_e5278, _e5312, _e5340), select(_e5280, _e5313, (_e5313 > _e5280)), vec3<f32>(select(select(select(select(_e5043, _e5090.member, _e5112), _e5166.member, _e5188), _e5242.member, _e5264), _e5318.member, _e5340), select(select(select(select(_e5044, _e5090.member_1, _e5112), _e5166.member_1, _e5188), _e5242.member_1, _e5264), _e5318.member_1, _e5340), select(select(select(select(_e5045, _e5090.member_2, _e5112), _e5166.member_2, _e5188), _e5242.member_2, _e5264), _e5318.member_2, _e5340)));
 }
-let _e5365 = phi_11661_;
+let _e5365 = phi_11664_;
 let _e5375 = (select(select(0.5f, _e5365.member_2, (_e5365.member_2 < 1f)), 0f, (_e498 == -1.2676506e30f)) * ((_e4722 / _e366) * select(_e4715.member_2, 0f, (_e487 == 0f))));
-phi_11698_ = type_34(_e4717.member, vec3<f32>((_e344 - (_e4501.member_4.x * _e5375)), (_e355 - (_e4501.member_4.y * _e5375)), (_e366 - (_e4501.member_4.z * _e5375))), _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, _e4717.member_6, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12);
+phi_11701_ = type_34(_e4717.member, vec3<f32>((_e344 - (_e4501.member_4.x * _e5375)), (_e355 - (_e4501.member_4.y * _e5375)), (_e366 - (_e4501.member_4.z * _e5375))), _e4717.member_2, _e4717.member_3, _e4717.member_4, _e4717.member_5, _e4717.member_6, _e4717.member_7, _e4717.member_8, _e4717.member_9, _e4717.member_10, _e4717.member_11, _e4717.member_12);
 } else {
-phi_11698_ = type_34(_e576, _e577, _e377, _e388, _e399, _e578, _e443, _e579, _e487, _e498, _e509, _e520, _e580);
+phi_11701_ = type_34(_e576, _e577, _e377, _e388, _e399, _e578, _e443, _e579, _e487, _e498, _e509, _e520, _e580);
 }
-let _e5400 = phi_11698_;
+let _e5400 = phi_11701_;
 let _e5405 = global_1.member.member_12.member_3;
 let _e5406 = (_e5405 == 0u);
 if _e5406 {
 let _e5624 = global_1.member.member_11.member_1;
 let _e5632 = global_1.member.member_11.member;
-phi_11958_ = type_40(vec3<f32>(_e5624.member, _e5624.member_1, _e5624.member_2), vec3<f32>(_e5632.member, _e5632.member_1, _e5632.member_2));
+phi_11961_ = type_40(vec3<f32>(_e5624.member, _e5624.member_1, _e5624.member_2), vec3<f32>(_e5632.member, _e5632.member_1, _e5632.member_2));
 } else {
 let _e5410 = global_1.member.member_12.member;
 let _e5424 = ((((_e5410.member.member * _e5400.member.x) + (_e5410.member.member_1 * _e5400.member.y)) + (_e5410.member.member_2 * _e5400.member.z)) + _e5410.member_1);
@@ -2234,18 +2234,18 @@ let _e5443 = global_1.member.member_12.member_2;
 let _e5454 = ((((_e5443.member.member * _e5400.member.x) + (_e5443.member.member_1 * _e5400.member.y)) + (_e5443.member.member_2 * _e5400.member.z)) + _e5443.member_1);
 let _e5458 = global_1.member.member_11.member_1;
 if _e5406 {
-phi_11802_ = 1f;
+phi_11805_ = 1f;
 } else {
 let _e5465 = global_1.member.member_12.member_19;
 let _e5469 = (_e5424 - _e5465.member);
 let _e5470 = (_e5439 - _e5465.member_1);
 let _e5471 = (_e5454 - _e5465.member_2);
 let _e5476 = (((_e5469 * _e5469) + (_e5470 * _e5470)) + (_e5471 * _e5471));
-phi_11802_ = (1f / select(1e-12f, _e5476, (_e5476 > 1e-12f)));
+phi_11805_ = (1f / select(1e-12f, _e5476, (_e5476 > 1e-12f)));
 }
-let _e5481 = phi_11802_;
+let _e5481 = phi_11805_;
 if _e5406 {
-phi_11886_ = 1f;
+phi_11889_ = 1f;
 } else {
 let _e5485 = global_1.member.member_12.member_19;
 let _e5489 = (_e5424 - _e5485.member);
@@ -2262,9 +2262,9 @@ let _e5532 = global_1.member.member_12.member_20.member_2;
 let _e5533 = ((_e5526 - (sqrt(select(0f, _e5515, (_e5515 > 0f))) / select(1e-20f, _e5504, (_e5504 > 1e-20f)))) * _e5532);
 let _e5535 = select(0f, _e5533, (_e5533 > 0f));
 let _e5537 = select(1f, _e5535, (_e5535 < 1f));
-phi_11886_ = select(1f, select(0f, ((_e5537 * _e5537) * (3f - (2f * _e5537))), (_e5504 > 0f)), (_e5532 > 0f));
+phi_11889_ = select(1f, select(0f, ((_e5537 * _e5537) * (3f - (2f * _e5537))), (_e5504 > 0f)), (_e5532 > 0f));
 }
-let _e5547 = phi_11886_;
+let _e5547 = phi_11889_;
 let _e5548 = (_e5481 * _e5547);
 let _e5553 = (_e5405 != 0u);
 let _e5557 = global_1.member.member_12.member_19;
@@ -2280,18 +2280,18 @@ let _e5580 = select(1f, (_e5563 * _e5574), _e5553);
 let _e5585 = global_1.member.member_12.member.member;
 let _e5596 = global_1.member.member_12.member_1.member;
 let _e5610 = global_1.member.member_12.member_2.member;
-phi_11958_ = type_40(vec3<f32>((_e5458.member * _e5548), (_e5458.member_1 * _e5548), (_e5458.member_2 * _e5548)), (vec3<f32>(((_e5585.member * _e5578) + (_e5596.member * _e5579)), ((_e5585.member_1 * _e5578) + (_e5596.member_1 * _e5579)), ((_e5585.member_2 * _e5578) + (_e5596.member_2 * _e5579))) + vec3<f32>((_e5610.member * _e5580), (_e5610.member_1 * _e5580), (_e5610.member_2 * _e5580))));
+phi_11961_ = type_40(vec3<f32>((_e5458.member * _e5548), (_e5458.member_1 * _e5548), (_e5458.member_2 * _e5548)), (vec3<f32>(((_e5585.member * _e5578) + (_e5596.member * _e5579)), ((_e5585.member_1 * _e5578) + (_e5596.member_1 * _e5579)), ((_e5585.member_2 * _e5578) + (_e5596.member_2 * _e5579))) + vec3<f32>((_e5610.member * _e5580), (_e5610.member_1 * _e5580), (_e5610.member_2 * _e5580))));
 }
-let _e5639 = phi_11958_;
-phi_11963_ = _e5400;
-phi_11965_ = _e4715.member_2;
-phi_11969_ = _e4501;
-phi_11971_ = 0i;
+let _e5639 = phi_11961_;
+phi_11966_ = _e5400;
+phi_11968_ = _e4715.member_2;
+phi_11972_ = _e4501;
+phi_11974_ = 0i;
 loop {
-let _e5641 = phi_11963_;
-let _e5643 = phi_11965_;
-let _e5645 = phi_11969_;
-let _e5647 = phi_11971_;
+let _e5641 = phi_11966_;
+let _e5643 = phi_11968_;
+let _e5645 = phi_11972_;
+let _e5647 = phi_11974_;
 local_66 = _e5641;
 local_67 = _e5641;
 local_68 = _e5641;
@@ -2466,7 +2466,7 @@ let _e6082 = select(select(select(select(select(select(0f, _e5793.member, _e5863
 let _e6083 = select(select(select(select(select(select(0f, _e5793.member_1, _e5863), _e5793.member_1, _e5903), _e5801.member_1, _e5943), _e5801.member_1, _e5983), _e5809.member_1, _e6023), _e5809.member_1, _e6063);
 let _e6084 = select(select(select(select(select(select(1f, _e5793.member_2, _e5863), _e5793.member_2, _e5903), _e5801.member_2, _e5943), _e5801.member_2, _e5983), _e5809.member_2, _e6023), _e5809.member_2, _e6063);
 if _e4506 {
-phi_13446_ = type_39(_e6069, vec3<f32>(_e6070, _e6071, _e6072), _e6074, vec3<f32>(_e6075, _e6076, _e6077), _e6079, _e6081, vec3<f32>(_e6082, _e6083, _e6084));
+phi_13449_ = type_39(_e6069, vec3<f32>(_e6070, _e6071, _e6072), _e6074, vec3<f32>(_e6075, _e6076, _e6077), _e6079, _e6081, vec3<f32>(_e6082, _e6083, _e6084));
 } else {
 let _e6091 = (((_e5793.member * _e5793.member) + (_e5793.member_1 * _e5793.member_1)) + (_e5793.member_2 * _e5793.member_2));
 let _e6094 = sqrt(select(0f, _e6091, (_e6091 > 0f)));
@@ -2546,26 +2546,26 @@ let _e6378 = select(2f, select(0f, _e6370, (_e6351 < 0f)), (_e6352 > 0f));
 let _e6379 = (_e6351 > _e6317);
 let _e6383 = ((_e6374 > _e6309) || ((_e6374 == _e6309) && _e6379));
 let _e6384 = (_e6378 < _e6313);
-phi_13446_ = type_39(select(_e6309, _e6374, _e6383), vec3<f32>(select(select(select(select(_e6070, _e6129.member, _e6155), _e6205.member, _e6231), _e6281.member, _e6307), _e6357.member, _e6383), select(select(select(select(_e6071, _e6129.member_1, _e6155), _e6205.member_1, _e6231), _e6281.member_1, _e6307), _e6357.member_1, _e6383), select(select(select(select(_e6072, _e6129.member_2, _e6155), _e6205.member_2, _e6231), _e6281.member_2, _e6307), _e6357.member_2, _e6383)), select(_e6313, _e6378, _e6384), vec3<f32>(select(select(select(select(_e6075, _e6129.member, _e6156), _e6205.member, _e6232), _e6281.member, _e6308), _e6357.member, _e6384), select(select(select(select(_e6076, _e6129.member_1, _e6156), _e6205.member_1, _e6232), _e6281.member_1, _e6308), _e6357.member_1, _e6384), select(select(select(select(_e6077, _e6129.member_2, _e6156), _e6205.member_2, _e6232), _e6281.member_2, _e6308), _e6357.member_2, _e6384)), select(_e6317, _e6351, _e6379), select(_e6319, _e6352, (_e6352 > _e6319)), vec3<f32>(select(select(select(select(_e6082, _e6129.member, _e6151), _e6205.member, _e6227), _e6281.member, _e6303), _e6357.member, _e6379), select(select(select(select(_e6083, _e6129.member_1, _e6151), _e6205.member_1, _e6227), _e6281.member_1, _e6303), _e6357.member_1, _e6379), select(select(select(select(_e6084, _e6129.member_2, _e6151), _e6205.member_2, _e6227), _e6281.member_2, _e6303), _e6357.member_2, _e6379)));
+phi_13449_ = type_39(select(_e6309, _e6374, _e6383), vec3<f32>(select(select(select(select(_e6070, _e6129.member, _e6155), _e6205.member, _e6231), _e6281.member, _e6307), _e6357.member, _e6383), select(select(select(select(_e6071, _e6129.member_1, _e6155), _e6205.member_1, _e6231), _e6281.member_1, _e6307), _e6357.member_1, _e6383), select(select(select(select(_e6072, _e6129.member_2, _e6155), _e6205.member_2, _e6231), _e6281.member_2, _e6307), _e6357.member_2, _e6383)), select(_e6313, _e6378, _e6384), vec3<f32>(select(select(select(select(_e6075, _e6129.member, _e6156), _e6205.member, _e6232), _e6281.member, _e6308), _e6357.member, _e6384), select(select(select(select(_e6076, _e6129.member_1, _e6156), _e6205.member_1, _e6232), _e6281.member_1, _e6308), _e6357.member_1, _e6384), select(select(select(select(_e6077, _e6129.member_2, _e6156), _e6205.member_2, _e6232), _e6281.member_2, _e6308), _e6357.member_2, _e6384)), select(_e6317, _e6351, _e6379), select(_e6319, _e6352, (_e6352 > _e6319)), vec3<f32>(select(select(select(select(_e6082, _e6129.member, _e6151), _e6205.member, _e6227), _e6281.member, _e6303), _e6357.member, _e6379), select(select(select(select(_e6083, _e6129.member_1, _e6151), _e6205.member_1, _e6227), _e6281.member_1, _e6303), _e6357.member_1, _e6379), select(select(select(select(_e6084, _e6129.member_2, _e6151), _e6205.member_2, _e6227), _e6281.member_2, _e6303), _e6357.member_2, _e6379)));
 }
-let _e6404 = phi_13446_;
+let _e6404 = phi_13449_;
 if _e5654 {
-phi_13458_ = (_e6404.member_2 <= 1f);
+phi_13461_ = (_e6404.member_2 <= 1f);
 } else {
-phi_13458_ = ((_e6404.member <= 1f) && (_e6404.member < _e6404.member_2));
+phi_13461_ = ((_e6404.member <= 1f) && (_e6404.member < _e6404.member_2));
 }
-let _e6412 = phi_13458_;
+let _e6412 = phi_13461_;
 if (!(_e5654) && !(_e6412)) {
-phi_45400_ = type_34(_e5641.member, _e5641.member_1, _e5641.member_2, 3f, _e5641.member_4, _e5641.member_5, _e5641.member_6, _e5641.member_7, _e5641.member_8, _e5641.member_9, _e5641.member_10, _e5641.member_11, _e5641.member_12);
-phi_45401_ = _e5643;
-phi_45403_ = _e5645;
+phi_45405_ = type_34(_e5641.member, _e5641.member_1, _e5641.member_2, 3f, _e5641.member_4, _e5641.member_5, _e5641.member_6, _e5641.member_7, _e5641.member_8, _e5641.member_9, _e5641.member_10, _e5641.member_11, _e5641.member_12);
+phi_45406_ = _e5643;
+phi_45408_ = _e5645;
 } else {
 if _e5654 {
-phi_13473_ = _e6404.member_3;
+phi_13476_ = _e6404.member_3;
 } else {
-phi_13473_ = _e6404.member_1;
+phi_13476_ = _e6404.member_1;
 }
-let _e6419 = phi_13473_;
+let _e6419 = phi_13476_;
 let _e6420 = select(_e6404.member, _e6404.member_2, _e5654);
 let _e6424 = select(1f, _e6420, _e6412);
 let _e6428 = (_e5641.member.x + ((_e5748 - _e5641.member.x) * _e6424));
@@ -2613,7 +2613,7 @@ let _e7830 = select(_e7823, _e6552, (_e6552 > _e7823));
 let _e7832 = select(_e7828, _e7830, (_e7830 < _e7828));
 let _e7837 = global_1.member.member_8.member_15;
 if (_e7837 == 0u) {
-phi_13867_ = vec3<f32>(_e7804, _e7818, _e7832);
+phi_13870_ = vec3<f32>(_e7804, _e7818, _e7832);
 } else {
 let _e7839 = (_e7804 + 0.5f);
 let _e7840 = (_e5704 - 1f);
@@ -2630,9 +2630,9 @@ let _e7876 = (_e5714 - 1f);
 let _e7878 = select(0f, _e7875, (_e7875 > 0f));
 let _e7880 = select(_e7876, _e7878, (_e7878 < _e7876));
 let _e7887 = select(0i, select(select(i32(_e7880), i32(-2147483648), (_e7880 < -2147483600f)), 2147483647i, (_e7880 > 2147483500f)), (_e7880 == _e7880));
-phi_13867_ = vec3<f32>(f32((_e7851 - select(0i, 1i, (_e7844 < f32(_e7851))))), f32((_e7869 - select(0i, 1i, (_e7862 < f32(_e7869))))), f32((_e7887 - select(0i, 1i, (_e7880 < f32(_e7887))))));
+phi_13870_ = vec3<f32>(f32((_e7851 - select(0i, 1i, (_e7844 < f32(_e7851))))), f32((_e7869 - select(0i, 1i, (_e7862 < f32(_e7869))))), f32((_e7887 - select(0i, 1i, (_e7880 < f32(_e7887))))));
 }
-let _e7895 = phi_13867_;
+let _e7895 = phi_13870_;
 let _e7898 = select(-1f, _e7895.x, (_e7895.x > -1f));
 let _e7900 = select(_e5704, _e7898, (_e7898 < _e5704));
 let _e7907 = select(0i, select(select(i32(_e7900), i32(-2147483648), (_e7900 < -2147483600f)), 2147483647i, (_e7900 > 2147483500f)), (_e7900 == _e7900));
@@ -2913,7 +2913,7 @@ let _e8585 = select(_e5827, _e6570, (_e6570 > _e5827));
 let _e8587 = select(_e5842, _e8585, (_e8585 < _e5842));
 let _e8592 = global_1.member.member_9.member_15;
 if (_e8592 == 0u) {
-phi_15189_ = vec3<f32>(_e8579, _e8583, _e8587);
+phi_15192_ = vec3<f32>(_e8579, _e8583, _e8587);
 } else {
 let _e8594 = (_e8579 + 0.5f);
 let _e8599 = global_1.member.member_9.member_3.member;
@@ -2933,9 +2933,9 @@ let _e8646 = (_e8645 - 1f);
 let _e8648 = select(0f, _e8640, (_e8640 > 0f));
 let _e8650 = select(_e8646, _e8648, (_e8648 < _e8646));
 let _e8657 = select(0i, select(select(i32(_e8650), i32(-2147483648), (_e8650 < -2147483600f)), 2147483647i, (_e8650 > 2147483500f)), (_e8650 == _e8650));
-phi_15189_ = vec3<f32>(f32((_e8611 - select(0i, 1i, (_e8604 < f32(_e8611))))), f32((_e8634 - select(0i, 1i, (_e8627 < f32(_e8634))))), f32((_e8657 - select(0i, 1i, (_e8650 < f32(_e8657))))));
+phi_15192_ = vec3<f32>(f32((_e8611 - select(0i, 1i, (_e8604 < f32(_e8611))))), f32((_e8634 - select(0i, 1i, (_e8627 < f32(_e8634))))), f32((_e8657 - select(0i, 1i, (_e8650 < f32(_e8657))))));
 }
-let _e8665 = phi_15189_;
+let _e8665 = phi_15192_;
 let _e8671 = global_1.member.member_9.member_3.member;
 let _e8673 = select(-1f, _e8665.x, (_e8665.x > -1f));
 let _e8675 = select(_e8671, _e8673, (_e8673 < _e8671));
@@ -3303,7 +3303,7 @@ if _e679 {
 let _e10044 = ((0.5f * (_e9335 - _e9329)) * _e9593);
 let _e10045 = ((0.5f * (_e9347 - _e9341)) * _e9593);
 let _e10046 = ((0.5f * (_e9359 - _e9353)) * _e9593);
-phi_20382_ = type_36(_e9555, vec3<f32>(_e10044, _e10045, _e10046), vec3<f32>((_e10044 * _e9555), (_e10045 * _e9555), (_e10046 * _e9555)));
+phi_20385_ = type_36(_e9555, vec3<f32>(_e10044, _e10045, _e10046), vec3<f32>((_e10044 * _e9555), (_e10045 * _e9555), (_e10046 * _e9555)));
 } else {
 local_35 = _e9329;
 let _e9594 = local_35;
@@ -3452,9 +3452,9 @@ let _e10019 = ((_e9540 + (f32(bitcast<i32>((_e10004 >> bitcast<u32>(12u)))) * _e
 let _e10020 = (_e9735 - _e9664);
 let _e10022 = (_e9877 - _e9806);
 let _e10024 = (_e10019 - _e9948);
-phi_20382_ = type_36(_e9555, vec3<f32>((0.5f * _e10020), (0.5f * _e10022), (0.5f * _e10024)), vec3<f32>((0.25f * (_e10020 * (_e9735 + _e9664))), (0.25f * (_e10022 * (_e9877 + _e9806))), (0.25f * (_e10024 * (_e10019 + _e9948)))));
+phi_20385_ = type_36(_e9555, vec3<f32>((0.5f * _e10020), (0.5f * _e10022), (0.5f * _e10024)), vec3<f32>((0.25f * (_e10020 * (_e9735 + _e9664))), (0.25f * (_e10022 * (_e9877 + _e9806))), (0.25f * (_e10024 * (_e10019 + _e9948)))));
 }
-let _e10054 = phi_20382_;
+let _e10054 = phi_20385_;
 let _e10069 = select(0f, 1f, ((((((_e6558 >= _e5817) && (_e6558 <= _e5832)) && (_e6564 >= _e5822)) && (_e6564 <= _e5837)) && (_e6570 >= _e5827)) && (_e6570 <= _e5842)));
 let _e10071 = (0.5f * (_e9335 - _e9329));
 let _e10073 = (0.5f * (_e9347 - _e9341));
@@ -3480,7 +3480,7 @@ let _e10190 = global_1.member.member_8.member_1.member.member_2;
 let _e10196 = global_1.member.member_8.member_2.member.member;
 let _e10202 = global_1.member.member_8.member_2.member.member_1;
 let _e10208 = global_1.member.member_8.member_2.member.member_2;
-phi_22571_ = type_37(select(1e9f, _e8537, (_e8537 < 1e9f)), vec3<f32>(((((_e10081 * _e10071) + (_e10099 * _e10073)) + (_e10117 * _e10075)) * _e10069), ((((_e10087 * _e10071) + (_e10105 * _e10073)) + (_e10123 * _e10075)) * _e10069), ((((_e10093 * _e10071) + (_e10111 * _e10073)) + (_e10129 * _e10075)) * _e10069)), vec3<f32>((((_e10160 * _e10150) + (_e10178 * _e10152)) + (_e10196 * _e10154)), (((_e10166 * _e10150) + (_e10184 * _e10152)) + (_e10202 * _e10154)), (((_e10172 * _e10150) + (_e10190 * _e10152)) + (_e10208 * _e10154))), _e10054.member, vec3<f32>(((((_e10081 * _e10054.member_2.x) + (_e10099 * _e10054.member_2.y)) + (_e10117 * _e10054.member_2.z)) * _e10069), ((((_e10087 * _e10054.member_2.x) + (_e10105 * _e10054.member_2.y)) + (_e10123 * _e10054.member_2.z)) * _e10069), ((((_e10093 * _e10054.member_2.x) + (_e10111 * _e10054.member_2.y)) + (_e10129 * _e10054.member_2.z)) * _e10069)), vec3<f32>(((((_e10081 * _e10054.member_1.x) + (_e10099 * _e10054.member_1.y)) + (_e10117 * _e10054.member_1.z)) * _e10069), ((((_e10087 * _e10054.member_1.x) + (_e10105 * _e10054.member_1.y)) + (_e10123 * _e10054.member_1.z)) * _e10069), ((((_e10093 * _e10054.member_1.x) + (_e10111 * _e10054.member_1.y)) + (_e10129 * _e10054.member_1.z)) * _e10069)));
+phi_22574_ = type_37(select(1e9f, _e8537, (_e8537 < 1e9f)), vec3<f32>(((((_e10081 * _e10071) + (_e10099 * _e10073)) + (_e10117 * _e10075)) * _e10069), ((((_e10087 * _e10071) + (_e10105 * _e10073)) + (_e10123 * _e10075)) * _e10069), ((((_e10093 * _e10071) + (_e10111 * _e10073)) + (_e10129 * _e10075)) * _e10069)), vec3<f32>((((_e10160 * _e10150) + (_e10178 * _e10152)) + (_e10196 * _e10154)), (((_e10166 * _e10150) + (_e10184 * _e10152)) + (_e10202 * _e10154)), (((_e10172 * _e10150) + (_e10190 * _e10152)) + (_e10208 * _e10154))), _e10054.member, vec3<f32>(((((_e10081 * _e10054.member_2.x) + (_e10099 * _e10054.member_2.y)) + (_e10117 * _e10054.member_2.z)) * _e10069), ((((_e10087 * _e10054.member_2.x) + (_e10105 * _e10054.member_2.y)) + (_e10123 * _e10054.member_2.z)) * _e10069), ((((_e10093 * _e10054.member_2.x) + (_e10111 * _e10054.member_2.y)) + (_e10129 * _e10054.member_2.z)) * _e10069)), vec3<f32>(((((_e10081 * _e10054.member_1.x) + (_e10099 * _e10054.member_1.y)) + (_e10117 * _e10054.member_1.z)) * _e10069), ((((_e10087 * _e10054.member_1.x) + (_e10105 * _e10054.member_1.y)) + (_e10123 * _e10054.member_1.z)) * _e10069), ((((_e10093 * _e10054.member_1.x) + (_e10111 * _e10054.member_1.y)) + (_e10129 * _e10054.member_1.z)) * _e10069)));
 } else {
 if (_e286.member_2 == 8u) {
 let _e6929 = global_1.member.member_8.member_4.member;
@@ -3497,7 +3497,7 @@ let _e6964 = select(_e6957, _e6552, (_e6552 > _e6957));
 let _e6966 = select(_e6962, _e6964, (_e6964 < _e6962));
 let _e6971 = global_1.member.member_8.member_15;
 if (_e6971 == 0u) {
-phi_20780_ = vec3<f32>(_e6938, _e6952, _e6966);
+phi_20783_ = vec3<f32>(_e6938, _e6952, _e6966);
 } else {
 let _e6973 = (_e6938 + 0.5f);
 let _e6974 = (_e5704 - 1f);
@@ -3514,9 +3514,9 @@ let _e7010 = (_e5714 - 1f);
 let _e7012 = select(0f, _e7009, (_e7009 > 0f));
 let _e7014 = select(_e7010, _e7012, (_e7012 < _e7010));
 let _e7021 = select(0i, select(select(i32(_e7014), i32(-2147483648), (_e7014 < -2147483600f)), 2147483647i, (_e7014 > 2147483500f)), (_e7014 == _e7014));
-phi_20780_ = vec3<f32>(f32((_e6985 - select(0i, 1i, (_e6978 < f32(_e6985))))), f32((_e7003 - select(0i, 1i, (_e6996 < f32(_e7003))))), f32((_e7021 - select(0i, 1i, (_e7014 < f32(_e7021))))));
+phi_20783_ = vec3<f32>(f32((_e6985 - select(0i, 1i, (_e6978 < f32(_e6985))))), f32((_e7003 - select(0i, 1i, (_e6996 < f32(_e7003))))), f32((_e7021 - select(0i, 1i, (_e7014 < f32(_e7021))))));
 }
-let _e7029 = phi_20780_;
+let _e7029 = phi_20783_;
 let _e7032 = select(-1f, _e7029.x, (_e7029.x > -1f));
 let _e7034 = select(_e5704, _e7032, (_e7032 < _e5704));
 let _e7041 = select(0i, select(select(i32(_e7034), i32(-2147483648), (_e7034 < -2147483600f)), 2147483647i, (_e7034 > 2147483500f)), (_e7034 == _e7034));
@@ -3801,8 +3801,8 @@ let _e7751 = global_1.member.member_8.member_1.member.member_2;
 let _e7757 = global_1.member.member_8.member_2.member.member;
 let _e7763 = global_1.member.member_8.member_2.member.member_1;
 let _e7769 = global_1.member.member_8.member_2.member.member_2;
-phi_22568_ = select(1e9f, _e7671, (_e7671 < 1e9f));
-phi_22569_ = vec3<f32>((((_e7721 * _e7711) + (_e7739 * _e7713)) + (_e7757 * _e7715)), (((_e7727 * _e7711) + (_e7745 * _e7713)) + (_e7763 * _e7715)), (((_e7733 * _e7711) + (_e7751 * _e7713)) + (_e7769 * _e7715)));
+phi_22571_ = select(1e9f, _e7671, (_e7671 < 1e9f));
+phi_22572_ = vec3<f32>((((_e7721 * _e7711) + (_e7739 * _e7713)) + (_e7757 * _e7715)), (((_e7727 * _e7711) + (_e7745 * _e7713)) + (_e7763 * _e7715)), (((_e7733 * _e7711) + (_e7751 * _e7713)) + (_e7769 * _e7715)));
 } else {
 let _e6576 = global_1.member.member_8.member_4.member;
 let _e6581 = global_1.member.member_8.member_5.member;
@@ -3818,7 +3818,7 @@ let _e6611 = select(_e6604, _e6552, (_e6552 > _e6604));
 let _e6613 = select(_e6609, _e6611, (_e6611 < _e6609));
 let _e6618 = global_1.member.member_8.member_15;
 if (_e6618 == 0u) {
-phi_22155_ = vec3<f32>(_e6585, _e6599, _e6613);
+phi_22158_ = vec3<f32>(_e6585, _e6599, _e6613);
 } else {
 let _e6620 = (_e6585 + 0.5f);
 let _e6621 = (_e5704 - 1f);
@@ -3835,9 +3835,9 @@ let _e6657 = (_e5714 - 1f);
 let _e6659 = select(0f, _e6656, (_e6656 > 0f));
 let _e6661 = select(_e6657, _e6659, (_e6659 < _e6657));
 let _e6668 = select(0i, select(select(i32(_e6661), i32(-2147483648), (_e6661 < -2147483600f)), 2147483647i, (_e6661 > 2147483500f)), (_e6661 == _e6661));
-phi_22155_ = vec3<f32>(f32((_e6632 - select(0i, 1i, (_e6625 < f32(_e6632))))), f32((_e6650 - select(0i, 1i, (_e6643 < f32(_e6650))))), f32((_e6668 - select(0i, 1i, (_e6661 < f32(_e6668))))));
+phi_22158_ = vec3<f32>(f32((_e6632 - select(0i, 1i, (_e6625 < f32(_e6632))))), f32((_e6650 - select(0i, 1i, (_e6643 < f32(_e6650))))), f32((_e6668 - select(0i, 1i, (_e6661 < f32(_e6668))))));
 }
-let _e6676 = phi_22155_;
+let _e6676 = phi_22158_;
 let _e6679 = select(-1f, _e6676.x, (_e6676.x > -1f));
 let _e6681 = select(_e5704, _e6679, (_e6679 < _e5704));
 let _e6688 = select(0i, select(select(i32(_e6681), i32(-2147483648), (_e6681 < -2147483600f)), 2147483647i, (_e6681 > 2147483500f)), (_e6681 == _e6681));
@@ -3922,16 +3922,16 @@ let _e6917 = global_1.member.member_8.member_7;
 let _e6919 = (((_e6850 + (((_e6875 + (((_e6886 + ((bitcast<f32>(_e6895) - _e6886) * _e6897)) - _e6875) * _e6901)) - _e6850) * _e6906)) - _e6913) * _e6917);
 let _e6920 = -(1e9f);
 let _e6922 = select(_e6920, _e6919, (_e6919 > _e6920));
-phi_22568_ = select(1e9f, _e6922, (_e6922 < 1e9f));
-phi_22569_ = vec3<f32>(0f, 0f, 0f);
+phi_22571_ = select(1e9f, _e6922, (_e6922 < 1e9f));
+phi_22572_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e7787 = phi_22568_;
-let _e7789 = phi_22569_;
-phi_22571_ = type_37(_e7787, vec3<f32>(0f, 0f, 0f), _e7789, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e7787 = phi_22571_;
+let _e7789 = phi_22572_;
+phi_22574_ = type_37(_e7787, vec3<f32>(0f, 0f, 0f), _e7789, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e10271 = phi_22571_;
+let _e10271 = phi_22574_;
 if _e4506 {
-phi_23096_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_23099_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e10275 = global_1.member.member_16.member;
 let _e10286 = ((((_e10275.member.member * _e5641.member.x) + (_e10275.member.member_1 * _e5641.member.y)) + (_e10275.member.member_2 * _e5641.member.z)) + _e10275.member_1);
@@ -4005,9 +4005,9 @@ let _e10493 = global_1.member.member_19.member_1;
 let _e10494 = (_e10493 != 0u);
 let _e10499 = select(0f, _e10487, _e10494);
 let _e10500 = select(1f, _e10489, _e10494);
-phi_23096_ = type_38(type_35(select(_e10487, _e10437, (_e10437 > _e10487)), select(_e10489, _e10439, (_e10439 < _e10489))), type_35(select(_e10499, _e10443, (_e10443 > _e10499)), select(_e10500, _e10445, (_e10445 < _e10500))), ((((1f * select(1f, 0f, (_e10317 && _e10308))) * select(1f, 0f, (_e10376 && _e10367))) * select(1f, 0f, (_e10435 && _e10426))) * select(1f, 0f, (_e10494 && _e10485))));
+phi_23099_ = type_38(type_35(select(_e10487, _e10437, (_e10437 > _e10487)), select(_e10489, _e10439, (_e10439 < _e10489))), type_35(select(_e10499, _e10443, (_e10443 > _e10499)), select(_e10500, _e10445, (_e10445 < _e10500))), ((((1f * select(1f, 0f, (_e10317 && _e10308))) * select(1f, 0f, (_e10376 && _e10367))) * select(1f, 0f, (_e10435 && _e10426))) * select(1f, 0f, (_e10494 && _e10485))));
 }
-let _e10512 = phi_23096_;
+let _e10512 = phi_23099_;
 let _e10515 = (select(0f, (_e6420 - 0.5f), _e6412) * _e5736);
 let _e10519 = (_e5741 + (_e5660 * _e10515));
 let _e10520 = (_e5742 + (_e5662 * _e10515));
@@ -4020,7 +4020,7 @@ let _e10531 = select(_e5827, _e6570, (_e6570 > _e5827));
 let _e10533 = select(_e5842, _e10531, (_e10531 < _e5842));
 let _e10538 = global_1.member.member_9.member_15;
 if (_e10538 == 0u) {
-phi_23292_ = vec3<f32>(_e10525, _e10529, _e10533);
+phi_23295_ = vec3<f32>(_e10525, _e10529, _e10533);
 } else {
 let _e10540 = (_e10525 + 0.5f);
 let _e10545 = global_1.member.member_9.member_3.member;
@@ -4040,9 +4040,9 @@ let _e10592 = (_e10591 - 1f);
 let _e10594 = select(0f, _e10586, (_e10586 > 0f));
 let _e10596 = select(_e10592, _e10594, (_e10594 < _e10592));
 let _e10603 = select(0i, select(select(i32(_e10596), i32(-2147483648), (_e10596 < -2147483600f)), 2147483647i, (_e10596 > 2147483500f)), (_e10596 == _e10596));
-phi_23292_ = vec3<f32>(f32((_e10557 - select(0i, 1i, (_e10550 < f32(_e10557))))), f32((_e10580 - select(0i, 1i, (_e10573 < f32(_e10580))))), f32((_e10603 - select(0i, 1i, (_e10596 < f32(_e10603))))));
+phi_23295_ = vec3<f32>(f32((_e10557 - select(0i, 1i, (_e10550 < f32(_e10557))))), f32((_e10580 - select(0i, 1i, (_e10573 < f32(_e10580))))), f32((_e10603 - select(0i, 1i, (_e10596 < f32(_e10603))))));
 }
-let _e10611 = phi_23292_;
+let _e10611 = phi_23295_;
 let _e10617 = global_1.member.member_9.member_3.member;
 let _e10619 = select(-1f, _e10611.x, (_e10611.x > -1f));
 let _e10621 = select(_e10617, _e10619, (_e10619 < _e10617));
@@ -4648,19 +4648,19 @@ let _e12834 = (((1f - _e12822) + (_e12768 * select(0f, _e12824, (_e12824 > 0f)))
 let _e12844 = (_e12769 > 0f);
 let _e12846 = (1f - _e12831);
 let _e12855 = (_e12830 / select(1e-12f, _e12846, (_e12846 > 1e-12f)));
-phi_28043_ = type_43(select(_e12546, _e12831, _e12844), select(_e12547, _e12846, _e12844), _e12496, vec3<f32>(select(_e12555, ((_e12555 * _e12834) + (_e12729 * _e12830)), _e12844), select(_e12557, ((_e12557 * _e12834) + (_e12739 * _e12830)), _e12844), select(_e12559, ((_e12559 * _e12834) + (_e12749 * _e12830)), _e12844)));
-phi_28044_ = type_41(_e12768, _e12769, vec3<f32>(_e12729, _e12739, _e12749), _e12771);
-phi_28045_ = select(0f, select(1f, _e12855, (_e12855 < 1f)), _e12844);
+phi_28046_ = type_43(select(_e12546, _e12831, _e12844), select(_e12547, _e12846, _e12844), _e12496, vec3<f32>(select(_e12555, ((_e12555 * _e12834) + (_e12729 * _e12830)), _e12844), select(_e12557, ((_e12557 * _e12834) + (_e12739 * _e12830)), _e12844), select(_e12559, ((_e12559 * _e12834) + (_e12749 * _e12830)), _e12844)));
+phi_28047_ = type_41(_e12768, _e12769, vec3<f32>(_e12729, _e12739, _e12749), _e12771);
+phi_28048_ = select(0f, select(1f, _e12855, (_e12855 < 1f)), _e12844);
 } else {
-phi_28043_ = type_43(_e12546, _e12547, _e12496, (_e12553 * _e12551));
-phi_28044_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_28045_ = 0f;
+phi_28046_ = type_43(_e12546, _e12547, _e12496, (_e12553 * _e12551));
+phi_28047_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_28048_ = 0f;
 }
-let _e12860 = phi_28043_;
-let _e12862 = phi_28044_;
-let _e12864 = phi_28045_;
+let _e12860 = phi_28046_;
+let _e12862 = phi_28047_;
+let _e12864 = phi_28048_;
 if (_e675 || _e678) {
-phi_43787_ = _e5639;
+phi_43792_ = _e5639;
 } else {
 let _e12867 = select(_e11289, _e10512.member.member, (_e10512.member.member > _e11289));
 let _e12875 = (_e5641.member + vec3<f32>((_e11294 * _e11168), (_e11295 * _e11168), (_e11296 * _e11168)));
@@ -4737,7 +4737,7 @@ let _e13156 = select(_e11251, _e13146, (_e13146 > _e11251));
 let _e13158 = select(_e11256, _e13156, (_e13156 < _e11256));
 let _e13160 = (_e11147 == 0u);
 if _e13160 {
-phi_28631_ = vec3<f32>(_e13150, _e13154, _e13158);
+phi_28636_ = vec3<f32>(_e13150, _e13154, _e13158);
 } else {
 let _e13161 = (_e13150 + 0.5f);
 let _e13162 = (_e5704 - 1f);
@@ -4754,9 +4754,9 @@ let _e13198 = (_e5714 - 1f);
 let _e13200 = select(0f, _e13197, (_e13197 > 0f));
 let _e13202 = select(_e13198, _e13200, (_e13200 < _e13198));
 let _e13209 = select(0i, select(select(i32(_e13202), i32(-2147483648), (_e13202 < -2147483600f)), 2147483647i, (_e13202 > 2147483500f)), (_e13202 == _e13202));
-phi_28631_ = vec3<f32>(f32((_e13173 - select(0i, 1i, (_e13166 < f32(_e13173))))), f32((_e13191 - select(0i, 1i, (_e13184 < f32(_e13191))))), f32((_e13209 - select(0i, 1i, (_e13202 < f32(_e13209))))));
+phi_28636_ = vec3<f32>(f32((_e13173 - select(0i, 1i, (_e13166 < f32(_e13173))))), f32((_e13191 - select(0i, 1i, (_e13184 < f32(_e13191))))), f32((_e13209 - select(0i, 1i, (_e13202 < f32(_e13209))))));
 }
-let _e13217 = phi_28631_;
+let _e13217 = phi_28636_;
 let _e13220 = select(-1f, _e13217.x, (_e13217.x > -1f));
 let _e13222 = select(_e5704, _e13220, (_e13220 < _e5704));
 let _e13229 = select(0i, select(select(i32(_e13222), i32(-2147483648), (_e13222 < -2147483600f)), 2147483647i, (_e13222 > 2147483500f)), (_e13222 == _e13222));
@@ -4843,7 +4843,7 @@ let _e13462 = select(_e10870, _e13460, (_e13460 > _e10870));
 let _e13464 = select(1e9f, _e13462, (_e13462 < 1e9f));
 let _e13465 = (_e13059 * _e11313);
 if _e4506 {
-phi_29560_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_29565_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13469 = global_1.member.member_16.member;
 let _e13480 = ((((_e13469.member.member * _e13126) + (_e13469.member.member_1 * _e13127)) + (_e13469.member.member_2 * _e13128)) + _e13469.member_1);
@@ -4917,9 +4917,9 @@ let _e13687 = global_1.member.member_19.member_1;
 let _e13688 = (_e13687 != 0u);
 let _e13693 = select(0f, _e13681, _e13688);
 let _e13694 = select(1f, _e13683, _e13688);
-phi_29560_ = type_38(type_35(select(_e13681, _e13631, (_e13631 > _e13681)), select(_e13683, _e13633, (_e13633 < _e13683))), type_35(select(_e13693, _e13637, (_e13637 > _e13693)), select(_e13694, _e13639, (_e13639 < _e13694))), ((((1f * select(1f, 0f, (_e13511 && _e13502))) * select(1f, 0f, (_e13570 && _e13561))) * select(1f, 0f, (_e13629 && _e13620))) * select(1f, 0f, (_e13688 && _e13679))));
+phi_29565_ = type_38(type_35(select(_e13681, _e13631, (_e13631 > _e13681)), select(_e13683, _e13633, (_e13633 < _e13683))), type_35(select(_e13693, _e13637, (_e13637 > _e13693)), select(_e13694, _e13639, (_e13639 < _e13694))), ((((1f * select(1f, 0f, (_e13511 && _e13502))) * select(1f, 0f, (_e13570 && _e13561))) * select(1f, 0f, (_e13629 && _e13620))) * select(1f, 0f, (_e13688 && _e13679))));
 }
-let _e13706 = phi_29560_;
+let _e13706 = phi_29565_;
 let _e13712 = ((((_e585.member.member * _e12976) + (_e585.member.member_1 * _e12977)) + (_e585.member.member_2 * _e12978)) + _e585.member_1);
 let _e13718 = ((((_e600.member.member * _e12976) + (_e600.member.member_1 * _e12977)) + (_e600.member.member_2 * _e12978)) + _e600.member_1);
 let _e13724 = ((((_e615.member.member * _e12976) + (_e615.member.member_1 * _e12977)) + (_e615.member.member_2 * _e12978)) + _e615.member_1);
@@ -5052,7 +5052,7 @@ let _e14551 = global_3.member[bitcast<u32>(select(0i, _e14546, (_e14546 > 0i)))]
 let _e14561 = (_e14513 + (((bitcast<f32>((((_e14521 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14513) * _e14496));
 let _e14569 = global_3.member[_e11973];
 let _e14578 = global_3.member[_e11993];
-phi_33235_ = type_42((((_e14561 + (((_e14543 + (((bitcast<f32>((((_e14551 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14543) * _e14496)) - _e14561) * (_e14371 - f32(_e14449)))) * (1f - (_e14483 + _e14489))) + (((bitcast<f32>((((_e14569 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14483) + ((bitcast<f32>((((_e14578 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14489))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_33240_ = type_42((((_e14561 + (((_e14543 + (((bitcast<f32>((((_e14551 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14543) * _e14496)) - _e14561) * (_e14371 - f32(_e14449)))) * (1f - (_e14483 + _e14489))) + (((bitcast<f32>((((_e14569 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14483) + ((bitcast<f32>((((_e14578 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14489))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e13464;
 let _e13846 = local_9;
@@ -5165,9 +5165,9 @@ let _e14253 = (_e14183 + (((bitcast<f32>(((_e14198 & 32767u) << bitcast<u32>(13i
 let _e14262 = (_e14190 + (((bitcast<f32>((((_e14198 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14190) * _e14033));
 let _e14270 = global_3.member[_e11973];
 let _e14284 = global_3.member[_e11993];
-phi_33235_ = type_42((((_e14262 + (((_e14230 + (((bitcast<f32>((((_e14238 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14230) * _e14033)) - _e14262) * _e14031)) * _e14035) + (((bitcast<f32>((((_e14270 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>((((_e14284 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026))), vec3<f32>((((_e14253 + (((_e14223 + (((bitcast<f32>(((_e14238 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14223) * _e14033)) - _e14253) * _e14031)) * _e14035) + (((bitcast<f32>(((_e14270 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>(((_e14284 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026))), (((_e14117 + (((_e14087 + (((bitcast<f32>(((_e14102 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14087) * _e14033)) - _e14117) * _e14031)) * _e14035) + (((bitcast<f32>(((_e14134 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>(((_e14148 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026))), (((_e14126 + (((_e14094 + (((bitcast<f32>((((_e14102 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14094) * _e14033)) - _e14126) * _e14031)) * _e14035) + (((bitcast<f32>((((_e14134 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>((((_e14148 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_33240_ = type_42((((_e14262 + (((_e14230 + (((bitcast<f32>((((_e14238 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14230) * _e14033)) - _e14262) * _e14031)) * _e14035) + (((bitcast<f32>((((_e14270 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>((((_e14284 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026))), vec3<f32>((((_e14253 + (((_e14223 + (((bitcast<f32>(((_e14238 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14223) * _e14033)) - _e14253) * _e14031)) * _e14035) + (((bitcast<f32>(((_e14270 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>(((_e14284 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026))), (((_e14117 + (((_e14087 + (((bitcast<f32>(((_e14102 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14087) * _e14033)) - _e14117) * _e14031)) * _e14035) + (((bitcast<f32>(((_e14134 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>(((_e14148 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026))), (((_e14126 + (((_e14094 + (((bitcast<f32>((((_e14102 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14094) * _e14033)) - _e14126) * _e14031)) * _e14035) + (((bitcast<f32>((((_e14134 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14020) + ((bitcast<f32>((((_e14148 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14026)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14593 = phi_33235_;
+let _e14593 = phi_33240_;
 if _e13845 {
 let _e14806 = -((_e14593.member * (_e13465 * _e13830)));
 let _e14808 = select(-87f, _e14806, (_e14806 > -87f));
@@ -5181,7 +5181,7 @@ let _e14828 = f32(_e14827);
 let _e14832 = ((_e14810 - (_e14828 * 0.6933594f)) - (_e14828 * -2.1219444e-4f));
 let _e14852 = ((1f + (_e14832 * (1f + (_e14832 * (0.5f + (_e14832 * (0.16666667f + (_e14832 * (0.041666668f + (_e14832 * (0.008333334f + (_e14832 * (0.001388889f + (_e14832 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14827 + 127i)) << bitcast<u32>(23i))));
 let _e14853 = (1f - _e14852);
-phi_33586_ = type_43(_e14852, _e14853, vec3<f32>(1f, 1f, 1f), (_e14593.member_2 * (_e14853 / select(1e-12f, _e14593.member, (_e14593.member > 1e-12f)))));
+phi_33591_ = type_43(_e14852, _e14853, vec3<f32>(1f, 1f, 1f), (_e14593.member_2 * (_e14853 / select(1e-12f, _e14593.member, (_e14593.member > 1e-12f)))));
 } else {
 let _e14595 = (_e13465 * select(0f, _e13839, (_e13839 > 0f)));
 let _e14599 = -((_e14593.member_1.x * _e14595));
@@ -5226,9 +5226,9 @@ let _e14771 = f32(_e14770);
 let _e14775 = ((_e14753 - (_e14771 * 0.6933594f)) - (_e14771 * -2.1219444e-4f));
 let _e14795 = ((1f + (_e14775 * (1f + (_e14775 * (0.5f + (_e14775 * (0.16666667f + (_e14775 * (0.041666668f + (_e14775 * (0.008333334f + (_e14775 * (0.001388889f + (_e14775 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14770 + 127i)) << bitcast<u32>(23i))));
 let _e14796 = (1f - _e14795);
-phi_33586_ = type_43(_e14795, _e14796, vec3<f32>(((1f + (_e14625 * (1f + (_e14625 * (0.5f + (_e14625 * (0.16666667f + (_e14625 * (0.041666668f + (_e14625 * (0.008333334f + (_e14625 * (0.001388889f + (_e14625 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14620 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14675 * (1f + (_e14675 * (0.5f + (_e14675 * (0.16666667f + (_e14675 * (0.041666668f + (_e14675 * (0.008333334f + (_e14675 * (0.001388889f + (_e14675 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14670 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14725 * (1f + (_e14725 * (0.5f + (_e14725 * (0.16666667f + (_e14725 * (0.041666668f + (_e14725 * (0.008333334f + (_e14725 * (0.001388889f + (_e14725 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14720 + 127i)) << bitcast<u32>(23i))))), (_e14593.member_2 * (_e14796 / select(1e-12f, _e14593.member, (_e14593.member > 1e-12f)))));
+phi_33591_ = type_43(_e14795, _e14796, vec3<f32>(((1f + (_e14625 * (1f + (_e14625 * (0.5f + (_e14625 * (0.16666667f + (_e14625 * (0.041666668f + (_e14625 * (0.008333334f + (_e14625 * (0.001388889f + (_e14625 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14620 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14675 * (1f + (_e14675 * (0.5f + (_e14675 * (0.16666667f + (_e14675 * (0.041666668f + (_e14675 * (0.008333334f + (_e14675 * (0.001388889f + (_e14675 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14670 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14725 * (1f + (_e14725 * (0.5f + (_e14725 * (0.16666667f + (_e14725 * (0.041666668f + (_e14725 * (0.008333334f + (_e14725 * (0.001388889f + (_e14725 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14720 + 127i)) << bitcast<u32>(23i))))), (_e14593.member_2 * (_e14796 / select(1e-12f, _e14593.member, (_e14593.member > 1e-12f)))));
 }
-let _e14861 = phi_33586_;
+let _e14861 = phi_33591_;
 let _e14870 = (_e13126 - (_e12976 - _e13126));
 let _e14871 = (_e13127 - (_e12977 - _e13127));
 let _e14872 = (_e13128 - (_e12978 - _e13128));
@@ -5242,7 +5242,7 @@ let _e14898 = select(_e11217, _e14896, (_e14896 < _e11217));
 let _e14900 = select(_e11251, _e14890, (_e14890 > _e11251));
 let _e14902 = select(_e11256, _e14900, (_e14900 < _e11256));
 if _e13160 {
-phi_33791_ = vec3<f32>(_e14894, _e14898, _e14902);
+phi_33796_ = vec3<f32>(_e14894, _e14898, _e14902);
 } else {
 let _e14904 = (_e14894 + 0.5f);
 let _e14905 = (_e5704 - 1f);
@@ -5259,9 +5259,9 @@ let _e14941 = (_e5714 - 1f);
 let _e14943 = select(0f, _e14940, (_e14940 > 0f));
 let _e14945 = select(_e14941, _e14943, (_e14943 < _e14941));
 let _e14952 = select(0i, select(select(i32(_e14945), i32(-2147483648), (_e14945 < -2147483600f)), 2147483647i, (_e14945 > 2147483500f)), (_e14945 == _e14945));
-phi_33791_ = vec3<f32>(f32((_e14916 - select(0i, 1i, (_e14909 < f32(_e14916))))), f32((_e14934 - select(0i, 1i, (_e14927 < f32(_e14934))))), f32((_e14952 - select(0i, 1i, (_e14945 < f32(_e14952))))));
+phi_33796_ = vec3<f32>(f32((_e14916 - select(0i, 1i, (_e14909 < f32(_e14916))))), f32((_e14934 - select(0i, 1i, (_e14927 < f32(_e14934))))), f32((_e14952 - select(0i, 1i, (_e14945 < f32(_e14952))))));
 }
-let _e14960 = phi_33791_;
+let _e14960 = phi_33796_;
 let _e14963 = select(-1f, _e14960.x, (_e14960.x > -1f));
 let _e14965 = select(_e5704, _e14963, (_e14963 < _e5704));
 let _e14972 = select(0i, select(select(i32(_e14965), i32(-2147483648), (_e14965 < -2147483600f)), 2147483647i, (_e14965 > 2147483500f)), (_e14965 == _e14965));
@@ -5339,7 +5339,7 @@ let _e15161 = (((_e15100 + (((_e15125 + (((_e15136 + ((bitcast<f32>(_e15145) - _
 let _e15163 = select(_e10870, _e15161, (_e15161 > _e10870));
 let _e15165 = select(1e9f, _e15163, (_e15163 < 1e9f));
 if _e4506 {
-phi_34720_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_34725_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e15169 = global_1.member.member_16.member;
 let _e15180 = ((((_e15169.member.member * _e14870) + (_e15169.member.member_1 * _e14871)) + (_e15169.member.member_2 * _e14872)) + _e15169.member_1);
@@ -5413,9 +5413,9 @@ let _e15387 = global_1.member.member_19.member_1;
 let _e15388 = (_e15387 != 0u);
 let _e15393 = select(0f, _e15381, _e15388);
 let _e15394 = select(1f, _e15383, _e15388);
-phi_34720_ = type_38(type_35(select(_e15381, _e15331, (_e15331 > _e15381)), select(_e15383, _e15333, (_e15333 < _e15383))), type_35(select(_e15393, _e15337, (_e15337 > _e15393)), select(_e15394, _e15339, (_e15339 < _e15394))), ((((1f * select(1f, 0f, (_e15211 && _e15202))) * select(1f, 0f, (_e15270 && _e15261))) * select(1f, 0f, (_e15329 && _e15320))) * select(1f, 0f, (_e15388 && _e15379))));
+phi_34725_ = type_38(type_35(select(_e15381, _e15331, (_e15331 > _e15381)), select(_e15383, _e15333, (_e15333 < _e15383))), type_35(select(_e15393, _e15337, (_e15337 > _e15393)), select(_e15394, _e15339, (_e15339 < _e15394))), ((((1f * select(1f, 0f, (_e15211 && _e15202))) * select(1f, 0f, (_e15270 && _e15261))) * select(1f, 0f, (_e15329 && _e15320))) * select(1f, 0f, (_e15388 && _e15379))));
 }
-let _e15406 = phi_34720_;
+let _e15406 = phi_34725_;
 let _e15407 = (_e13134 - _e14878);
 let _e15411 = (bitcast<f32>((bitcast<u32>(_e15407) & 2147483647u)) < 1e-12f);
 let _e15413 = (1f / select(_e15407, 1f, _e15411));
@@ -5544,7 +5544,7 @@ let _e16229 = global_3.member[bitcast<u32>(select(0i, _e16224, (_e16224 > 0i)))]
 let _e16239 = (_e16191 + (((bitcast<f32>((((_e16199 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16191) * _e16174));
 let _e16247 = global_3.member[_e11973];
 let _e16256 = global_3.member[_e11993];
-phi_38395_ = type_42((((_e16239 + (((_e16221 + (((bitcast<f32>((((_e16229 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16221) * _e16174)) - _e16239) * (_e16049 - f32(_e16127)))) * (1f - (_e16161 + _e16167))) + (((bitcast<f32>((((_e16247 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16161) + ((bitcast<f32>((((_e16256 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16167))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_38400_ = type_42((((_e16239 + (((_e16221 + (((bitcast<f32>((((_e16229 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16221) * _e16174)) - _e16239) * (_e16049 - f32(_e16127)))) * (1f - (_e16161 + _e16167))) + (((bitcast<f32>((((_e16247 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16161) + ((bitcast<f32>((((_e16256 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16167))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e15165;
 let _e15524 = local_3;
@@ -5657,9 +5657,9 @@ let _e15931 = (_e15861 + (((bitcast<f32>(((_e15876 & 32767u) << bitcast<u32>(13i
 let _e15940 = (_e15868 + (((bitcast<f32>((((_e15876 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15868) * _e15711));
 let _e15948 = global_3.member[_e11973];
 let _e15962 = global_3.member[_e11993];
-phi_38395_ = type_42((((_e15940 + (((_e15908 + (((bitcast<f32>((((_e15916 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15908) * _e15711)) - _e15940) * _e15709)) * _e15713) + (((bitcast<f32>((((_e15948 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>((((_e15962 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704))), vec3<f32>((((_e15931 + (((_e15901 + (((bitcast<f32>(((_e15916 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15901) * _e15711)) - _e15931) * _e15709)) * _e15713) + (((bitcast<f32>(((_e15948 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>(((_e15962 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704))), (((_e15795 + (((_e15765 + (((bitcast<f32>(((_e15780 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15765) * _e15711)) - _e15795) * _e15709)) * _e15713) + (((bitcast<f32>(((_e15812 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>(((_e15826 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704))), (((_e15804 + (((_e15772 + (((bitcast<f32>((((_e15780 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15772) * _e15711)) - _e15804) * _e15709)) * _e15713) + (((bitcast<f32>((((_e15812 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>((((_e15826 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_38400_ = type_42((((_e15940 + (((_e15908 + (((bitcast<f32>((((_e15916 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15908) * _e15711)) - _e15940) * _e15709)) * _e15713) + (((bitcast<f32>((((_e15948 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>((((_e15962 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704))), vec3<f32>((((_e15931 + (((_e15901 + (((bitcast<f32>(((_e15916 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15901) * _e15711)) - _e15931) * _e15709)) * _e15713) + (((bitcast<f32>(((_e15948 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>(((_e15962 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704))), (((_e15795 + (((_e15765 + (((bitcast<f32>(((_e15780 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15765) * _e15711)) - _e15795) * _e15709)) * _e15713) + (((bitcast<f32>(((_e15812 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>(((_e15826 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704))), (((_e15804 + (((_e15772 + (((bitcast<f32>((((_e15780 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15772) * _e15711)) - _e15804) * _e15709)) * _e15713) + (((bitcast<f32>((((_e15812 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15698) + ((bitcast<f32>((((_e15826 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15704)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e16271 = phi_38395_;
+let _e16271 = phi_38400_;
 if _e13845 {
 let _e16484 = -((_e16271.member * (_e13465 * _e15512)));
 let _e16486 = select(-87f, _e16484, (_e16484 > -87f));
@@ -5673,7 +5673,7 @@ let _e16506 = f32(_e16505);
 let _e16510 = ((_e16488 - (_e16506 * 0.6933594f)) - (_e16506 * -2.1219444e-4f));
 let _e16530 = ((1f + (_e16510 * (1f + (_e16510 * (0.5f + (_e16510 * (0.16666667f + (_e16510 * (0.041666668f + (_e16510 * (0.008333334f + (_e16510 * (0.001388889f + (_e16510 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16505 + 127i)) << bitcast<u32>(23i))));
 let _e16531 = (1f - _e16530);
-phi_38746_ = type_43(_e16530, _e16531, vec3<f32>(1f, 1f, 1f), (_e16271.member_2 * (_e16531 / select(1e-12f, _e16271.member, (_e16271.member > 1e-12f)))));
+phi_38751_ = type_43(_e16530, _e16531, vec3<f32>(1f, 1f, 1f), (_e16271.member_2 * (_e16531 / select(1e-12f, _e16271.member, (_e16271.member > 1e-12f)))));
 } else {
 let _e16273 = (_e13465 * select(0f, _e15521, (_e15521 > 0f)));
 let _e16277 = -((_e16271.member_1.x * _e16273));
@@ -5718,9 +5718,9 @@ let _e16449 = f32(_e16448);
 let _e16453 = ((_e16431 - (_e16449 * 0.6933594f)) - (_e16449 * -2.1219444e-4f));
 let _e16473 = ((1f + (_e16453 * (1f + (_e16453 * (0.5f + (_e16453 * (0.16666667f + (_e16453 * (0.041666668f + (_e16453 * (0.008333334f + (_e16453 * (0.001388889f + (_e16453 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16448 + 127i)) << bitcast<u32>(23i))));
 let _e16474 = (1f - _e16473);
-phi_38746_ = type_43(_e16473, _e16474, vec3<f32>(((1f + (_e16303 * (1f + (_e16303 * (0.5f + (_e16303 * (0.16666667f + (_e16303 * (0.041666668f + (_e16303 * (0.008333334f + (_e16303 * (0.001388889f + (_e16303 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16298 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16353 * (1f + (_e16353 * (0.5f + (_e16353 * (0.16666667f + (_e16353 * (0.041666668f + (_e16353 * (0.008333334f + (_e16353 * (0.001388889f + (_e16353 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16348 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16403 * (1f + (_e16403 * (0.5f + (_e16403 * (0.16666667f + (_e16403 * (0.041666668f + (_e16403 * (0.008333334f + (_e16403 * (0.001388889f + (_e16403 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16398 + 127i)) << bitcast<u32>(23i))))), (_e16271.member_2 * (_e16474 / select(1e-12f, _e16271.member, (_e16271.member > 1e-12f)))));
+phi_38751_ = type_43(_e16473, _e16474, vec3<f32>(((1f + (_e16303 * (1f + (_e16303 * (0.5f + (_e16303 * (0.16666667f + (_e16303 * (0.041666668f + (_e16303 * (0.008333334f + (_e16303 * (0.001388889f + (_e16303 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16298 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16353 * (1f + (_e16353 * (0.5f + (_e16353 * (0.16666667f + (_e16353 * (0.041666668f + (_e16353 * (0.008333334f + (_e16353 * (0.001388889f + (_e16353 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16348 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16403 * (1f + (_e16403 * (0.5f + (_e16403 * (0.16666667f + (_e16403 * (0.041666668f + (_e16403 * (0.008333334f + (_e16403 * (0.001388889f + (_e16403 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16398 + 127i)) << bitcast<u32>(23i))))), (_e16271.member_2 * (_e16474 / select(1e-12f, _e16271.member, (_e16271.member > 1e-12f)))));
 }
-let _e16539 = phi_38746_;
+let _e16539 = phi_38751_;
 let _e16545 = (_e14861.member * _e16539.member);
 let _e16559 = (((_e12968 * _e12968) + (_e12970 * _e12970)) + (_e12972 * _e12972));
 let _e16562 = sqrt(select(0f, _e16559, (_e16559 > 0f)));
@@ -5731,7 +5731,7 @@ let _e16579 = (_e5641.member.x + (_e13126 - _e12976));
 let _e16580 = (_e5641.member.y + (_e13127 - _e12977));
 let _e16581 = (_e5641.member.z + (_e13128 - _e12978));
 if _e4506 {
-phi_39360_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_39365_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e16585 = global_1.member.member_16.member;
 let _e16596 = ((((_e16585.member.member * _e16579) + (_e16585.member.member_1 * _e16580)) + (_e16585.member.member_2 * _e16581)) + _e16585.member_1);
@@ -5805,9 +5805,9 @@ let _e16803 = global_1.member.member_19.member_1;
 let _e16804 = (_e16803 != 0u);
 let _e16809 = select(0f, _e16797, _e16804);
 let _e16810 = select(1f, _e16799, _e16804);
-phi_39360_ = type_38(type_35(select(_e16797, _e16747, (_e16747 > _e16797)), select(_e16799, _e16749, (_e16749 < _e16799))), type_35(select(_e16809, _e16753, (_e16753 > _e16809)), select(_e16810, _e16755, (_e16755 < _e16810))), ((((1f * select(1f, 0f, (_e16627 && _e16618))) * select(1f, 0f, (_e16686 && _e16677))) * select(1f, 0f, (_e16745 && _e16736))) * select(1f, 0f, (_e16804 && _e16795))));
+phi_39365_ = type_38(type_35(select(_e16797, _e16747, (_e16747 > _e16797)), select(_e16799, _e16749, (_e16749 < _e16799))), type_35(select(_e16809, _e16753, (_e16753 > _e16809)), select(_e16810, _e16755, (_e16755 < _e16810))), ((((1f * select(1f, 0f, (_e16627 && _e16618))) * select(1f, 0f, (_e16686 && _e16677))) * select(1f, 0f, (_e16745 && _e16736))) * select(1f, 0f, (_e16804 && _e16795))));
 }
-let _e16822 = phi_39360_;
+let _e16822 = phi_39365_;
 let _e16828 = ((((_e585.member.member * _e16579) + (_e585.member.member_1 * _e16580)) + (_e585.member.member_2 * _e16581)) + _e585.member_1);
 let _e16834 = ((((_e600.member.member * _e16579) + (_e600.member.member_1 * _e16580)) + (_e600.member.member_2 * _e16581)) + _e600.member_1);
 let _e16840 = ((((_e615.member.member * _e16579) + (_e615.member.member_1 * _e16580)) + (_e615.member.member_2 * _e16581)) + _e615.member_1);
@@ -5914,11 +5914,11 @@ let _e17188 = global_1.member.member_12.member_14.member_1;
 let _e17189 = bitcast<i32>(_e17188);
 let _e17194 = global_1.member.member_12.member_14.member_2;
 if ((((((_e17175 >= 0i) && (_e17175 < _e17183)) && (_e17177 >= 0i)) && (_e17177 < _e17189)) && (_e17173 >= 0i)) && (_e17173 < bitcast<i32>(_e17194))) {
-phi_40067_ = (((((_e17173 * _e17189) + _e17177) * _e17183) + _e17175) * 3i);
+phi_40072_ = (((((_e17173 * _e17189) + _e17177) * _e17183) + _e17175) * 3i);
 } else {
-phi_40067_ = -1i;
+phi_40072_ = -1i;
 }
-let _e17213 = phi_40067_;
+let _e17213 = phi_40072_;
 let _e17214 = (_e17213 + 1i);
 let _e17216 = (bitcast<i32>(_e276) - 1i);
 let _e17218 = select(_e17216, _e17214, (_e17214 < _e17216));
@@ -5967,7 +5967,7 @@ let _e17335 = select(_e17216, _e17333, (_e17333 < _e17216));
 let _e17340 = global_4.member[bitcast<u32>(select(0i, _e17335, (_e17335 > 0i)))];
 let _e17351 = select(1f, (_e17302 + (((_e17323 + (((_e17332 + ((bitcast<f32>(_e17340) - _e17332) * _e17253)) - _e17323) * _e17255)) - _e17302) * _e17257)), _e17258);
 if _e13845 {
-phi_40644_ = vec3(_e17351);
+phi_40649_ = vec3(_e17351);
 } else {
 let _e17356 = global_1.member.member_12.member_12;
 let _e17357 = (_e17356 > 1u);
@@ -6033,9 +6033,9 @@ let _e17530 = bitcast<f32>(_e17529);
 let _e17531 = (_e17501 + 10i);
 let _e17533 = select(_e17216, _e17531, (_e17531 < _e17216));
 let _e17538 = global_4.member[bitcast<u32>(select(0i, _e17533, (_e17533 > 0i)))];
-phi_40644_ = vec3<f32>(_e17351, select(1f, (_e17405 + (((_e17426 + (((_e17435 + ((bitcast<f32>(_e17443) - _e17435) * _e17253)) - _e17426) * _e17255)) - _e17405) * _e17257)), _e17258), select(1f, (_e17500 + (((_e17521 + (((_e17530 + ((bitcast<f32>(_e17538) - _e17530) * _e17253)) - _e17521) * _e17255)) - _e17500) * _e17257)), _e17258));
+phi_40649_ = vec3<f32>(_e17351, select(1f, (_e17405 + (((_e17426 + (((_e17435 + ((bitcast<f32>(_e17443) - _e17435) * _e17253)) - _e17426) * _e17255)) - _e17405) * _e17257)), _e17258), select(1f, (_e17500 + (((_e17521 + (((_e17530 + ((bitcast<f32>(_e17538) - _e17530) * _e17253)) - _e17521) * _e17255)) - _e17500) * _e17257)), _e17258));
 }
-let _e17552 = phi_40644_;
+let _e17552 = phi_40649_;
 let _e17553 = (_e17076 - _e13060.member);
 let _e17554 = (_e17082 - _e13060.member_1);
 let _e17555 = (_e17088 - _e13060.member_2);
@@ -6103,13 +6103,13 @@ let _e17821 = (_e17570 + select(0f, ((_e17691 + (((_e17747 + (((_e17764 + ((f32(
 let _e17824 = (_e17571 + select(0f, ((_e17694 + (((_e17750 + (((_e17775 + ((select(_e17795, -(_e17795), ((_e17785 >> bitcast<u32>(31i)) != 0u)) - _e17775) * _e17253)) - _e17750) * _e17255)) - _e17694) * _e17257)) * 6.151953e-5f), _e17258));
 let _e17828 = (1f - ((_e17821 * _e17821) + (_e17824 * _e17824)));
 let _e17830 = select(1e-4f, _e17828, (_e17828 > 1e-4f));
-phi_41051_ = vec3<f32>(_e17821, _e17824, sqrt(select(0f, _e17830, (_e17830 > 0f))));
+phi_41056_ = vec3<f32>(_e17821, _e17824, sqrt(select(0f, _e17830, (_e17830 > 0f))));
 } else {
-phi_41051_ = vec3<f32>(_e17570, _e17571, select(1f, (_e17555 * _e17566), _e13035));
+phi_41056_ = vec3<f32>(_e17570, _e17571, select(1f, (_e17555 * _e17566), _e13035));
 }
-let _e17836 = phi_41051_;
+let _e17836 = phi_41056_;
 if _e5406 {
-phi_41145_ = 1f;
+phi_41150_ = 1f;
 } else {
 let _e17842 = global_1.member.member_12.member_20.member;
 let _e17850 = (((_e17842.member * _e17553) + (_e17842.member_1 * _e17554)) + (_e17842.member_2 * _e17555));
@@ -6122,16 +6122,16 @@ let _e17878 = global_1.member.member_12.member_20.member_2;
 let _e17879 = ((_e17872 - (sqrt(select(0f, _e17861, (_e17861 > 0f))) / select(1e-20f, _e17850, (_e17850 > 1e-20f)))) * _e17878);
 let _e17881 = select(0f, _e17879, (_e17879 > 0f));
 let _e17883 = select(1f, _e17881, (_e17881 < 1f));
-phi_41145_ = select(1f, select(0f, ((_e17883 * _e17883) * (3f - (2f * _e17883))), (_e17850 > 0f)), (_e17878 > 0f));
+phi_41150_ = select(1f, select(0f, ((_e17883 * _e17883) * (3f - (2f * _e17883))), (_e17850 > 0f)), (_e17878 > 0f));
 }
-let _e17893 = phi_41145_;
+let _e17893 = phi_41150_;
 let _e17898 = global_1.member.member_11.member_1;
 if _e5406 {
-phi_41187_ = 1f;
+phi_41192_ = 1f;
 } else {
-phi_41187_ = (1f / select(1e-12f, _e17560, (_e17560 > 1e-12f)));
+phi_41192_ = (1f / select(1e-12f, _e17560, (_e17560 > 1e-12f)));
 }
-let _e17912 = phi_41187_;
+let _e17912 = phi_41192_;
 let _e17913 = (_e17912 * select(_e17893, 1f, (_e680 && _e17258)));
 let _e17925 = ((_e13088.member * _e17836.x) + (_e13099.member * _e17836.y));
 let _e17926 = ((_e13088.member_1 * _e17836.x) + (_e13099.member_1 * _e17836.y));
@@ -6152,7 +6152,7 @@ let _e17949 = select(_e11217, _e17947, (_e17947 < _e11217));
 let _e17951 = select(_e11251, _e13724, (_e13724 > _e11251));
 let _e17953 = select(_e11256, _e17951, (_e17951 < _e11256));
 if _e13160 {
-phi_41418_ = vec3<f32>(_e17945, _e17949, _e17953);
+phi_41423_ = vec3<f32>(_e17945, _e17949, _e17953);
 } else {
 let _e17955 = (_e17945 + 0.5f);
 let _e17956 = (_e5704 - 1f);
@@ -6169,9 +6169,9 @@ let _e17992 = (_e5714 - 1f);
 let _e17994 = select(0f, _e17991, (_e17991 > 0f));
 let _e17996 = select(_e17992, _e17994, (_e17994 < _e17992));
 let _e18003 = select(0i, select(select(i32(_e17996), i32(-2147483648), (_e17996 < -2147483600f)), 2147483647i, (_e17996 > 2147483500f)), (_e17996 == _e17996));
-phi_41418_ = vec3<f32>(f32((_e17967 - select(0i, 1i, (_e17960 < f32(_e17967))))), f32((_e17985 - select(0i, 1i, (_e17978 < f32(_e17985))))), f32((_e18003 - select(0i, 1i, (_e17996 < f32(_e18003))))));
+phi_41423_ = vec3<f32>(f32((_e17967 - select(0i, 1i, (_e17960 < f32(_e17967))))), f32((_e17985 - select(0i, 1i, (_e17978 < f32(_e17985))))), f32((_e18003 - select(0i, 1i, (_e17996 < f32(_e18003))))));
 }
-let _e18011 = phi_41418_;
+let _e18011 = phi_41423_;
 let _e18014 = select(-1f, _e18011.x, (_e18011.x > -1f));
 let _e18016 = select(_e5704, _e18014, (_e18014 < _e5704));
 let _e18023 = select(0i, select(select(i32(_e18016), i32(-2147483648), (_e18016 < -2147483600f)), 2147483647i, (_e18016 > 2147483500f)), (_e18016 == _e18016));
@@ -6483,11 +6483,11 @@ let _e18844 = select(0i, select(select(i32(_e18837), i32(-2147483648), (_e18837 
 let _e18848 = (_e18844 - select(0i, 1i, (_e18837 < f32(_e18844))));
 let _e18849 = f32(_e18848);
 let _e18853 = ((_e18831 - (_e18849 * 0.6933594f)) - (_e18849 * -2.1219444e-4f));
-phi_42978_ = (select(((_e18825 - ((1f + (_e18853 * (1f + (_e18853 * (0.5f + (_e18853 * (0.16666667f + (_e18853 * (0.041666668f + (_e18853 * (0.008333334f + (_e18853 * (0.001388889f + (_e18853 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18848 + 127i)) << bitcast<u32>(23i))))) / select(_e18774, 1f, _e18778)), (_e18825 * (1f - (0.5f * _e18774))), _e18778) * (_e12923 / _e17018));
+phi_42983_ = (select(((_e18825 - ((1f + (_e18853 * (1f + (_e18853 * (0.5f + (_e18853 * (0.16666667f + (_e18853 * (0.041666668f + (_e18853 * (0.008333334f + (_e18853 * (0.001388889f + (_e18853 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18848 + 127i)) << bitcast<u32>(23i))))) / select(_e18774, 1f, _e18778)), (_e18825 * (1f - (0.5f * _e18774))), _e18778) * (_e12923 / _e17018));
 } else {
-phi_42978_ = _e17940;
+phi_42983_ = _e17940;
 }
-let _e18884 = phi_42978_;
+let _e18884 = phi_42983_;
 let _e18886 = select(_e10271.member, _e11149, (_e11149 < _e10271.member));
 let _e18888 = select(_e10271.member, _e11149, (_e11149 > _e10271.member));
 let _e18891 = (_e15165 + ((_e13464 - _e15165) * 0f));
@@ -6524,14 +6524,14 @@ let _e19020 = (_e13464 + ((_e19017 - _e13464) * 0f));
 let _e19070 = (263219i + ((((((select(0i, 1i, (_e19020 >= _e18899)) + select(0i, 1i, (_e19020 >= _e18909))) + (select(0i, 1i, (_e19020 >= _e18920)) + select(0i, 1i, (_e19020 >= _e18930)))) + ((select(0i, 1i, (_e19020 >= _e18942)) + select(0i, 1i, (_e19020 >= _e18952))) + (select(0i, 1i, (_e19020 >= _e18963)) + select(0i, 1i, (_e19020 >= _e18973))))) * 9i) + (((select(0i, 1i, (_e19017 >= _e18899)) + select(0i, 1i, (_e19017 >= _e18909))) + (select(0i, 1i, (_e19017 >= _e18920)) + select(0i, 1i, (_e19017 >= _e18930)))) + ((select(0i, 1i, (_e19017 >= _e18942)) + select(0i, 1i, (_e19017 >= _e18952))) + (select(0i, 1i, (_e19017 >= _e18963)) + select(0i, 1i, (_e19017 >= _e18973)))))) * 6i));
 let _e19072 = select(_e10878, _e19070, (_e19070 < _e10878));
 let _e19077 = global_3.member[bitcast<u32>(select(0i, _e19072, (_e19072 > 0i)))];
-phi_43777_ = (select(_e17940, _e18884, _e13057) * select((bitcast<f32>(_e19012) * bitcast<f32>(_e19077)), 1f, (select(_e15512, _e13830, (_e13830 < _e15512)) < 1f)));
+phi_43782_ = (select(_e17940, _e18884, _e13057) * select((bitcast<f32>(_e19012) * bitcast<f32>(_e19077)), 1f, (select(_e15512, _e13830, (_e13830 < _e15512)) < 1f)));
 } else {
-phi_43777_ = _e17940;
+phi_43782_ = _e17940;
 }
-let _e19087 = phi_43777_;
-phi_43787_ = type_40(vec3<f32>((((_e17552.x * _e17898.member) * _e17913) * ((_e14861.member_2.x * _e16539.member_2.x) * _e19087)), (((_e17552.y * _e17898.member_1) * _e17913) * ((_e14861.member_2.y * _e16539.member_2.y) * _e19087)), (((_e17552.z * _e17898.member_2) * _e17913) * ((_e14861.member_2.z * _e16539.member_2.z) * _e19087))), (vec3<f32>(_e17925, _e17926, _e17927) + vec3<f32>(_e17929, _e17930, _e17931)));
+let _e19087 = phi_43782_;
+phi_43792_ = type_40(vec3<f32>((((_e17552.x * _e17898.member) * _e17913) * ((_e14861.member_2.x * _e16539.member_2.x) * _e19087)), (((_e17552.y * _e17898.member_1) * _e17913) * ((_e14861.member_2.y * _e16539.member_2.y) * _e19087)), (((_e17552.z * _e17898.member_2) * _e17913) * ((_e14861.member_2.z * _e16539.member_2.z) * _e19087))), (vec3<f32>(_e17925, _e17926, _e17927) + vec3<f32>(_e17929, _e17930, _e17931)));
 }
-let _e19097 = phi_43787_;
+let _e19097 = phi_43792_;
 let _e19106 = (((_e19097.member_1.x * _e19097.member_1.x) + (_e19097.member_1.y * _e19097.member_1.y)) + (_e19097.member_1.z * _e19097.member_1.z));
 let _e19109 = sqrt(select(0f, _e19106, (_e19106 > 0f)));
 let _e19111 = ((_e4504 & 8u) != 0u);
@@ -6544,19 +6544,19 @@ let _e19150 = sqrt(select(0f, _e19147, (_e19147 > 0f)));
 let _e19156 = (_e19150 * _e19109);
 let _e19159 = ((((_e10271.member_2.x * _e19097.member_1.x) + (_e10271.member_2.y * _e19097.member_1.y)) + (_e10271.member_2.z * _e19097.member_1.z)) / select(1e-20f, _e19156, (_e19156 > 1e-20f)));
 if ((((_e10271.member_2.x * _e5641.member_1.x) + (_e10271.member_2.y * _e5641.member_1.y)) + (_e10271.member_2.z * _e5641.member_1.z)) > 0f) {
-phi_43919_ = _e19159;
+phi_43924_ = _e19159;
 } else {
-phi_43919_ = -(_e19159);
+phi_43924_ = -(_e19159);
 }
-let _e19168 = phi_43919_;
+let _e19168 = phi_43924_;
 let _e19176 = ((_e19150 / _e5733) * (1f / 0.015625f));
 let _e19178 = select(0f, _e19176, (_e19176 > 0f));
 let _e19180 = select(1f, _e19178, (_e19178 < 1f));
-phi_43962_ = (1f + ((((_e19168 + bitcast<f32>((bitcast<u32>(_e19168) & 2147483647u))) * 0.5f) - 1f) * select(_e12864, _e19180, (_e19180 > _e12864))));
+phi_43967_ = (1f + ((((_e19168 + bitcast<f32>((bitcast<u32>(_e19168) & 2147483647u))) * 0.5f) - 1f) * select(_e12864, _e19180, (_e19180 > _e12864))));
 } else {
-phi_43962_ = 1f;
+phi_43967_ = 1f;
 }
-let _e19187 = phi_43962_;
+let _e19187 = phi_43967_;
 let _e19194 = global_1.member.member_20.member;
 let _e19201 = (1f - _e5641.member_6);
 let _e19219 = (_e5641.member_5.x + (((_e5641.member_7.x * _e19127) * ((_e12860.member_3.x * (((_e19097.member.x * _e19119) * _e19187) + _e19194.member)) + 0f)) * _e19201));
@@ -6644,12 +6644,12 @@ let _e19621 = select(0f, _e19619, (_e19619 > 0f));
 let _e19623 = select(1f, _e19621, (_e19621 < 1f));
 if _e6492 {
 let _e19633 = global_1.member.member_12.member_18.member_4;
-phi_44410_ = _e19633;
+phi_44415_ = _e19633;
 } else {
 let _e19628 = global_1.member.member_12.member_18.member_3;
-phi_44410_ = _e19628;
+phi_44415_ = _e19628;
 }
-let _e19635 = phi_44410_;
+let _e19635 = phi_44415_;
 let _e19639 = ((bitcast<i32>(_e19635) + (_e19611 * _e19464)) + _e19594);
 let _e19640 = (_e19464 * _e19471);
 let _e19642 = (bitcast<i32>(_e276) - 1i);
@@ -6701,10 +6701,10 @@ let _e19776 = select(_e19642, _e19774, (_e19774 < _e19642));
 let _e19782 = global_4.member[bitcast<u32>(select(0i, _e19776, (_e19776 > 0i)))];
 let _e19789 = (_e19763 + (((_e19773 + ((bitcast<f32>(_e19782) - _e19773) * _e19617)) - _e19763) * _e19623));
 if _e5406 {
-phi_44778_ = vec3<f32>(_e19690, _e19739, _e19789);
+phi_44783_ = vec3<f32>(_e19690, _e19739, _e19789);
 } else {
 if _e5406 {
-phi_44746_ = 1f;
+phi_44751_ = 1f;
 } else {
 let _e19795 = global_1.member.member_12.member_20.member;
 let _e19803 = (((_e19795.member * _e19304) + (_e19795.member_1 * _e19305)) + (_e19795.member_2 * _e19306));
@@ -6717,39 +6717,39 @@ let _e19831 = global_1.member.member_12.member_20.member_2;
 let _e19832 = ((_e19825 - (sqrt(select(0f, _e19814, (_e19814 > 0f))) / select(1e-20f, _e19803, (_e19803 > 1e-20f)))) * _e19831);
 let _e19834 = select(0f, _e19832, (_e19832 > 0f));
 let _e19836 = select(1f, _e19834, (_e19834 < 1f));
-phi_44746_ = select(1f, select(0f, ((_e19836 * _e19836) * (3f - (2f * _e19836))), (_e19803 > 0f)), (_e19831 > 0f));
+phi_44751_ = select(1f, select(0f, ((_e19836 * _e19836) * (3f - (2f * _e19836))), (_e19803 > 0f)), (_e19831 > 0f));
 }
-let _e19846 = phi_44746_;
+let _e19846 = phi_44751_;
 let _e19848 = select(0f, 1f, (_e19306 > 0f));
 let _e19852 = ((_e19690 * _e19848) + _e19846);
 let _e19853 = ((_e19739 * _e19848) + _e19846);
 let _e19854 = ((_e19789 * _e19848) + _e19846);
-phi_44778_ = vec3<f32>(select(0f, _e19852, (_e19852 > 0f)), select(0f, _e19853, (_e19853 > 0f)), select(0f, _e19854, (_e19854 > 0f)));
+phi_44783_ = vec3<f32>(select(0f, _e19852, (_e19852 > 0f)), select(0f, _e19853, (_e19853 > 0f)), select(0f, _e19854, (_e19854 > 0f)));
 }
-let _e19863 = phi_44778_;
+let _e19863 = phi_44783_;
 if _e5406 {
-phi_44804_ = 1f;
+phi_44809_ = 1f;
 } else {
-phi_44804_ = (1f / select(1e-12f, _e19311, (_e19311 > 1e-12f)));
+phi_44809_ = (1f / select(1e-12f, _e19311, (_e19311 > 1e-12f)));
 }
-let _e19868 = phi_44804_;
+let _e19868 = phi_44809_;
 let _e19878 = global_1.member.member_11.member_1;
-phi_45072_ = type_40(vec3<f32>((_e19878.member * (_e19863.x * _e19868)), (_e19878.member_1 * (_e19863.y * _e19868)), (_e19878.member_2 * (_e19863.z * _e19868))), _e19362);
+phi_45077_ = type_40(vec3<f32>((_e19878.member * (_e19863.x * _e19868)), (_e19878.member_1 * (_e19863.y * _e19868)), (_e19878.member_2 * (_e19863.z * _e19868))), _e19362);
 } else {
 if _e5406 {
 let _e19442 = global_1.member.member_11.member_1;
 let _e19450 = global_1.member.member_11.member;
-phi_45071_ = type_40(vec3<f32>(_e19442.member, _e19442.member_1, _e19442.member_2), vec3<f32>(_e19450.member, _e19450.member_1, _e19450.member_2));
+phi_45076_ = type_40(vec3<f32>(_e19442.member, _e19442.member_1, _e19442.member_2), vec3<f32>(_e19450.member, _e19450.member_1, _e19450.member_2));
 } else {
 let _e19368 = global_1.member.member_11.member_1;
 if _e5406 {
-phi_44915_ = 1f;
+phi_44920_ = 1f;
 } else {
-phi_44915_ = (1f / select(1e-12f, _e19311, (_e19311 > 1e-12f)));
+phi_44920_ = (1f / select(1e-12f, _e19311, (_e19311 > 1e-12f)));
 }
-let _e19376 = phi_44915_;
+let _e19376 = phi_44920_;
 if _e5406 {
-phi_44999_ = 1f;
+phi_45004_ = 1f;
 } else {
 let _e19381 = global_1.member.member_12.member_20.member;
 let _e19389 = (((_e19381.member * _e19304) + (_e19381.member_1 * _e19305)) + (_e19381.member_2 * _e19306));
@@ -6762,16 +6762,16 @@ let _e19417 = global_1.member.member_12.member_20.member_2;
 let _e19418 = ((_e19411 - (sqrt(select(0f, _e19400, (_e19400 > 0f))) / select(1e-20f, _e19389, (_e19389 > 1e-20f)))) * _e19417);
 let _e19420 = select(0f, _e19418, (_e19418 > 0f));
 let _e19422 = select(1f, _e19420, (_e19420 < 1f));
-phi_44999_ = select(1f, select(0f, ((_e19422 * _e19422) * (3f - (2f * _e19422))), (_e19389 > 0f)), (_e19417 > 0f));
+phi_45004_ = select(1f, select(0f, ((_e19422 * _e19422) * (3f - (2f * _e19422))), (_e19389 > 0f)), (_e19417 > 0f));
 }
-let _e19432 = phi_44999_;
+let _e19432 = phi_45004_;
 let _e19433 = (_e19376 * _e19432);
-phi_45071_ = type_40(vec3<f32>((_e19368.member * _e19433), (_e19368.member_1 * _e19433), (_e19368.member_2 * _e19433)), _e19362);
+phi_45076_ = type_40(vec3<f32>((_e19368.member * _e19433), (_e19368.member_1 * _e19433), (_e19368.member_2 * _e19433)), _e19362);
 }
-let _e19457 = phi_45071_;
-phi_45072_ = _e19457;
+let _e19457 = phi_45076_;
+phi_45077_ = _e19457;
 }
-let _e19888 = phi_45072_;
+let _e19888 = phi_45077_;
 let _e19892 = global_1.member.member_23.member_4;
 let _e19900 = (((_e19892.member * _e6521) + (_e19892.member_1 * _e6522)) + (_e19892.member_2 * _e6523));
 let _e19904 = global_1.member.member_23.member_5;
@@ -6805,33 +6805,33 @@ let _e20093 = bitcast<f32>((bitcast<u32>(select(0f, _e20088, (_e20088 > 0f))) & 
 let _e20106 = (1f - _e19226);
 let _e20120 = select(_e19226, 1f, _e6533);
 let _e20125 = select(_e19231, _e19229, (_e19229 > _e19231));
-phi_45400_ = type_34(vec3<f32>(select(_e6428, _e19248, _e6533), select(_e6429, _e19249, _e6533), select(_e6430, _e19250, _e6533)), vec3<f32>(select((_e10519 + (_e10271.member_4.x * _e11127)), select((_e10519 + (_e11090 * _e11109)), _e10519, _e11110), _e6412), select((_e10520 + (_e10271.member_4.y * _e11127)), select((_e10520 + (_e11091 * _e11109)), _e10520, _e11110), _e6412), select((_e10521 + (_e10271.member_4.z * _e11127)), select((_e10521 + (_e11092 * _e11109)), _e10521, _e11110), _e6412)), _e10271.member, select(4f, 1f, (_e6533 || (((1f - _e20120) * select(_e19233, _e20125, (_e20125 > _e19233))) < 9.765625e-4f))), select(_e19244, (_e19244 + (_e20106 * _e19250)), _e6533), vec3<f32>(select(_e19219, (_e19219 + ((_e19229 * ((select(_e6514.member, _e6503.member, _e6492) * (((_e19888.member.x * _e20073) * _e20093) + select(0f, _e20045, (_e20045 > 0f)))) * _e19127)) * _e20106)), _e6533), select(_e19221, (_e19221 + ((_e19231 * ((select(_e6514.member_1, _e6503.member_1, _e6492) * (((_e19888.member.y * _e20073) * _e20093) + select(0f, _e20046, (_e20046 > 0f)))) * _e19127)) * _e20106)), _e6533), select(_e19223, (_e19223 + ((_e19233 * ((select(_e6514.member_2, _e6503.member_2, _e6492) * (((_e19888.member.z * _e20073) * _e20093) + select(0f, _e20047, (_e20047 > 0f)))) * _e19127)) * _e20106)), _e6533)), _e20120, (_e5641.member_7 * _e12860.member_2), select(0f, _e10271.member_3, (_e5654 != (_e6412 && !((_e11106 && (_e11075 != 0f)))))), -1.2676506e30f, _e5641.member_10, _e5641.member_11, _e5641.member_12);
-phi_45401_ = _e10512.member_2;
-phi_45403_ = _e10271;
+phi_45405_ = type_34(vec3<f32>(select(_e6428, _e19248, _e6533), select(_e6429, _e19249, _e6533), select(_e6430, _e19250, _e6533)), vec3<f32>(select((_e10519 + (_e10271.member_4.x * _e11127)), select((_e10519 + (_e11090 * _e11109)), _e10519, _e11110), _e6412), select((_e10520 + (_e10271.member_4.y * _e11127)), select((_e10520 + (_e11091 * _e11109)), _e10520, _e11110), _e6412), select((_e10521 + (_e10271.member_4.z * _e11127)), select((_e10521 + (_e11092 * _e11109)), _e10521, _e11110), _e6412)), _e10271.member, select(4f, 1f, (_e6533 || (((1f - _e20120) * select(_e19233, _e20125, (_e20125 > _e19233))) < 9.765625e-4f))), select(_e19244, (_e19244 + (_e20106 * _e19250)), _e6533), vec3<f32>(select(_e19219, (_e19219 + ((_e19229 * ((select(_e6514.member, _e6503.member, _e6492) * (((_e19888.member.x * _e20073) * _e20093) + select(0f, _e20045, (_e20045 > 0f)))) * _e19127)) * _e20106)), _e6533), select(_e19221, (_e19221 + ((_e19231 * ((select(_e6514.member_1, _e6503.member_1, _e6492) * (((_e19888.member.y * _e20073) * _e20093) + select(0f, _e20046, (_e20046 > 0f)))) * _e19127)) * _e20106)), _e6533), select(_e19223, (_e19223 + ((_e19233 * ((select(_e6514.member_2, _e6503.member_2, _e6492) * (((_e19888.member.z * _e20073) * _e20093) + select(0f, _e20047, (_e20047 > 0f)))) * _e19127)) * _e20106)), _e6533)), _e20120, (_e5641.member_7 * _e12860.member_2), select(0f, _e10271.member_3, (_e5654 != (_e6412 && !((_e11106 && (_e11075 != 0f)))))), -1.2676506e30f, _e5641.member_10, _e5641.member_11, _e5641.member_12);
+phi_45406_ = _e10512.member_2;
+phi_45408_ = _e10271;
 }
-let _e20156 = phi_45400_;
-let _e20158 = phi_45401_;
-let _e20160 = phi_45403_;
-phi_11964_ = _e20156;
-phi_11966_ = _e20158;
-phi_11970_ = _e20160;
-phi_11972_ = (_e5647 + 1i);
+let _e20156 = phi_45405_;
+let _e20158 = phi_45406_;
+let _e20160 = phi_45408_;
+phi_11967_ = _e20156;
+phi_11969_ = _e20158;
+phi_11973_ = _e20160;
+phi_11975_ = (_e5647 + 1i);
 } else {
-phi_11964_ = type_34();
-phi_11966_ = f32();
-phi_11970_ = type_37();
-phi_11972_ = i32();
+phi_11967_ = type_34();
+phi_11969_ = f32();
+phi_11973_ = type_37();
+phi_11975_ = i32();
 }
-let _e20162 = phi_11964_;
-let _e20164 = phi_11966_;
-let _e20166 = phi_11970_;
-let _e20168 = phi_11972_;
+let _e20162 = phi_11967_;
+let _e20164 = phi_11969_;
+let _e20166 = phi_11973_;
+let _e20168 = phi_11975_;
 continue;
 continuing {
-phi_11963_ = _e20162;
-phi_11965_ = _e20164;
-phi_11969_ = _e20166;
-phi_11971_ = _e20168;
+phi_11966_ = _e20162;
+phi_11968_ = _e20164;
+phi_11972_ = _e20166;
+phi_11974_ = _e20168;
 break if !(_e5651);
 }
 }

@@ -345,75 +345,75 @@ var local_62: vec3<f32>;
 var local_63: type_30;
 var local_64: vec3<f32>;
 var local_65: type_32;
-var phi_9214_: vec3<f32>;
-var phi_7900_: vec3<f32>;
-var phi_9590_: f32;
-var phi_9591_: vec3<f32>;
-var phi_1109_: vec3<f32>;
-var phi_2370_: vec3<f32>;
-var phi_7502_: type_36;
-var phi_9593_: type_37;
-var phi_10106_: type_38;
-var phi_11441_: type_39;
-var phi_11478_: type_34;
-var phi_11582_: f32;
-var phi_11666_: f32;
-var phi_11738_: type_40;
-var phi_11743_: type_34;
-var phi_11745_: f32;
-var phi_11749_: type_37;
-var phi_11751_: i32;
-var phi_13226_: type_39;
-var phi_13238_: bool;
-var phi_13253_: vec3<f32>;
-var phi_21752_: vec3<f32>;
-var phi_20438_: vec3<f32>;
-var phi_22128_: f32;
-var phi_22129_: vec3<f32>;
-var phi_13647_: vec3<f32>;
-var phi_14908_: vec3<f32>;
-var phi_20040_: type_36;
-var phi_22131_: type_37;
-var phi_22656_: type_38;
-var phi_22852_: vec3<f32>;
-var phi_27566_: type_43;
-var phi_27567_: type_41;
-var phi_27568_: f32;
-var phi_28154_: vec3<f32>;
-var phi_29046_: type_38;
-var phi_32721_: type_42;
-var phi_33072_: type_43;
-var phi_33277_: vec3<f32>;
-var phi_34169_: type_38;
-var phi_37844_: type_42;
-var phi_38195_: type_43;
-var phi_38809_: type_38;
-var phi_39516_: i32;
-var phi_40093_: vec3<f32>;
-var phi_40500_: vec3<f32>;
-var phi_40594_: f32;
-var phi_40636_: f32;
-var phi_40867_: vec3<f32>;
-var phi_42366_: f32;
-var phi_43165_: f32;
-var phi_43175_: type_40;
-var phi_43307_: f32;
-var phi_43350_: f32;
-var phi_44303_: f32;
-var phi_44387_: f32;
-var phi_44459_: type_40;
-var phi_43798_: u32;
-var phi_44134_: f32;
-var phi_44166_: vec3<f32>;
-var phi_44192_: f32;
-var phi_44460_: type_40;
-var phi_44788_: type_34;
-var phi_44789_: f32;
-var phi_44791_: type_37;
-var phi_11744_: type_34;
-var phi_11746_: f32;
-var phi_11750_: type_37;
-var phi_11752_: i32;
+var phi_9217_: vec3<f32>;
+var phi_7903_: vec3<f32>;
+var phi_9593_: f32;
+var phi_9594_: vec3<f32>;
+var phi_1112_: vec3<f32>;
+var phi_2373_: vec3<f32>;
+var phi_7505_: type_36;
+var phi_9596_: type_37;
+var phi_10109_: type_38;
+var phi_11444_: type_39;
+var phi_11481_: type_34;
+var phi_11585_: f32;
+var phi_11669_: f32;
+var phi_11741_: type_40;
+var phi_11746_: type_34;
+var phi_11748_: f32;
+var phi_11752_: type_37;
+var phi_11754_: i32;
+var phi_13229_: type_39;
+var phi_13241_: bool;
+var phi_13256_: vec3<f32>;
+var phi_21755_: vec3<f32>;
+var phi_20441_: vec3<f32>;
+var phi_22131_: f32;
+var phi_22132_: vec3<f32>;
+var phi_13650_: vec3<f32>;
+var phi_14911_: vec3<f32>;
+var phi_20043_: type_36;
+var phi_22134_: type_37;
+var phi_22659_: type_38;
+var phi_22855_: vec3<f32>;
+var phi_27569_: type_43;
+var phi_27570_: type_41;
+var phi_27571_: f32;
+var phi_28159_: vec3<f32>;
+var phi_29051_: type_38;
+var phi_32726_: type_42;
+var phi_33077_: type_43;
+var phi_33282_: vec3<f32>;
+var phi_34174_: type_38;
+var phi_37849_: type_42;
+var phi_38200_: type_43;
+var phi_38814_: type_38;
+var phi_39521_: i32;
+var phi_40098_: vec3<f32>;
+var phi_40505_: vec3<f32>;
+var phi_40599_: f32;
+var phi_40641_: f32;
+var phi_40872_: vec3<f32>;
+var phi_42371_: f32;
+var phi_43170_: f32;
+var phi_43180_: type_40;
+var phi_43312_: f32;
+var phi_43355_: f32;
+var phi_44308_: f32;
+var phi_44392_: f32;
+var phi_44464_: type_40;
+var phi_43803_: u32;
+var phi_44139_: f32;
+var phi_44171_: vec3<f32>;
+var phi_44197_: f32;
+var phi_44465_: type_40;
+var phi_44793_: type_34;
+var phi_44794_: f32;
+var phi_44796_: type_37;
+var phi_11747_: type_34;
+var phi_11749_: f32;
+var phi_11753_: type_37;
+var phi_11755_: i32;
 var local_66: type_34;
 var local_67: type_34;
 var local_68: type_34;
@@ -592,7 +592,7 @@ let _e1989 = select(_e1982, _e627, (_e627 > _e1982));
 let _e1991 = select(_e1987, _e1989, (_e1989 < _e1987));
 let _e1996 = global_1.member.member_8.member_15;
 if (_e1996 == 0u) {
-phi_1109_ = vec3<f32>(_e1963, _e1977, _e1991);
+phi_1112_ = vec3<f32>(_e1963, _e1977, _e1991);
 } else {
 let _e1998 = (_e1963 + 0.5f);
 let _e2003 = global_1.member.member_8.member_3.member;
@@ -612,9 +612,9 @@ let _e2050 = (_e2049 - 1f);
 let _e2052 = select(0f, _e2044, (_e2044 > 0f));
 let _e2054 = select(_e2050, _e2052, (_e2052 < _e2050));
 let _e2061 = select(0i, select(select(i32(_e2054), i32(-2147483648), (_e2054 < -2147483600f)), 2147483647i, (_e2054 > 2147483500f)), (_e2054 == _e2054));
-phi_1109_ = vec3<f32>(f32((_e2015 - select(0i, 1i, (_e2008 < f32(_e2015))))), f32((_e2038 - select(0i, 1i, (_e2031 < f32(_e2038))))), f32((_e2061 - select(0i, 1i, (_e2054 < f32(_e2061))))));
+phi_1112_ = vec3<f32>(f32((_e2015 - select(0i, 1i, (_e2008 < f32(_e2015))))), f32((_e2038 - select(0i, 1i, (_e2031 < f32(_e2038))))), f32((_e2061 - select(0i, 1i, (_e2054 < f32(_e2061))))));
 }
-let _e2069 = phi_1109_;
+let _e2069 = phi_1112_;
 let _e2075 = global_1.member.member_8.member_3.member;
 let _e2077 = select(-1f, _e2069.x, (_e2069.x > -1f));
 let _e2079 = select(_e2075, _e2077, (_e2077 < _e2075));
@@ -901,7 +901,7 @@ let _e2792 = select(_e2785, _e672, (_e672 > _e2785));
 let _e2794 = select(_e2790, _e2792, (_e2792 < _e2790));
 let _e2799 = global_1.member.member_9.member_15;
 if (_e2799 == 0u) {
-phi_2370_ = vec3<f32>(_e2766, _e2780, _e2794);
+phi_2373_ = vec3<f32>(_e2766, _e2780, _e2794);
 } else {
 let _e2801 = (_e2766 + 0.5f);
 let _e2806 = global_1.member.member_9.member_3.member;
@@ -921,9 +921,9 @@ let _e2853 = (_e2852 - 1f);
 let _e2855 = select(0f, _e2847, (_e2847 > 0f));
 let _e2857 = select(_e2853, _e2855, (_e2855 < _e2853));
 let _e2864 = select(0i, select(select(i32(_e2857), i32(-2147483648), (_e2857 < -2147483600f)), 2147483647i, (_e2857 > 2147483500f)), (_e2857 == _e2857));
-phi_2370_ = vec3<f32>(f32((_e2818 - select(0i, 1i, (_e2811 < f32(_e2818))))), f32((_e2841 - select(0i, 1i, (_e2834 < f32(_e2841))))), f32((_e2864 - select(0i, 1i, (_e2857 < f32(_e2864))))));
+phi_2373_ = vec3<f32>(f32((_e2818 - select(0i, 1i, (_e2811 < f32(_e2818))))), f32((_e2841 - select(0i, 1i, (_e2834 < f32(_e2841))))), f32((_e2864 - select(0i, 1i, (_e2857 < f32(_e2864))))));
 }
-let _e2872 = phi_2370_;
+let _e2872 = phi_2373_;
 let _e2878 = global_1.member.member_9.member_3.member;
 let _e2880 = select(-1f, _e2872.x, (_e2872.x > -1f));
 let _e2882 = select(_e2878, _e2880, (_e2880 < _e2878));
@@ -1288,7 +1288,7 @@ if _e680 {
 let _e4239 = ((0.5f * (_e3530 - _e3524)) * _e3788);
 let _e4240 = ((0.5f * (_e3542 - _e3536)) * _e3788);
 let _e4241 = ((0.5f * (_e3554 - _e3548)) * _e3788);
-phi_7502_ = type_36(_e3750, vec3<f32>(_e4239, _e4240, _e4241), vec3<f32>((_e4239 * _e3750), (_e4240 * _e3750), (_e4241 * _e3750)));
+phi_7505_ = type_36(_e3750, vec3<f32>(_e4239, _e4240, _e4241), vec3<f32>((_e4239 * _e3750), (_e4240 * _e3750), (_e4241 * _e3750)));
 } else {
 local_57 = _e3524;
 let _e3789 = local_57;
@@ -1437,9 +1437,9 @@ let _e4214 = ((_e3735 + (f32(bitcast<i32>((_e4199 >> bitcast<u32>(12u)))) * _e37
 let _e4215 = (_e3930 - _e3859);
 let _e4217 = (_e4072 - _e4001);
 let _e4219 = (_e4214 - _e4143);
-phi_7502_ = type_36(_e3750, vec3<f32>((0.5f * _e4215), (0.5f * _e4217), (0.5f * _e4219)), vec3<f32>((0.25f * (_e4215 * (_e3930 + _e3859))), (0.25f * (_e4217 * (_e4072 + _e4001))), (0.25f * (_e4219 * (_e4214 + _e4143)))));
+phi_7505_ = type_36(_e3750, vec3<f32>((0.5f * _e4215), (0.5f * _e4217), (0.5f * _e4219)), vec3<f32>((0.25f * (_e4215 * (_e3930 + _e3859))), (0.25f * (_e4217 * (_e4072 + _e4001))), (0.25f * (_e4219 * (_e4214 + _e4143)))));
 }
-let _e4249 = phi_7502_;
+let _e4249 = phi_7505_;
 let _e4264 = select(0f, 1f, ((((((_e642 >= _e2757) && (_e642 <= _e2762)) && (_e657 >= _e2771)) && (_e657 <= _e2776)) && (_e672 >= _e2785)) && (_e672 <= _e2790)));
 let _e4266 = (0.5f * (_e3530 - _e3524));
 let _e4268 = (0.5f * (_e3542 - _e3536));
@@ -1465,7 +1465,7 @@ let _e4385 = global_1.member.member_8.member_1.member.member_2;
 let _e4391 = global_1.member.member_8.member_2.member.member;
 let _e4397 = global_1.member.member_8.member_2.member.member_1;
 let _e4403 = global_1.member.member_8.member_2.member.member_2;
-phi_9593_ = type_37(select(1e9f, _e2714, (_e2714 < 1e9f)), vec3<f32>(((((_e4276 * _e4266) + (_e4294 * _e4268)) + (_e4312 * _e4270)) * _e4264), ((((_e4282 * _e4266) + (_e4300 * _e4268)) + (_e4318 * _e4270)) * _e4264), ((((_e4288 * _e4266) + (_e4306 * _e4268)) + (_e4324 * _e4270)) * _e4264)), vec3<f32>((((_e4355 * _e4345) + (_e4373 * _e4347)) + (_e4391 * _e4349)), (((_e4361 * _e4345) + (_e4379 * _e4347)) + (_e4397 * _e4349)), (((_e4367 * _e4345) + (_e4385 * _e4347)) + (_e4403 * _e4349))), _e4249.member, vec3<f32>(((((_e4276 * _e4249.member_2.x) + (_e4294 * _e4249.member_2.y)) + (_e4312 * _e4249.member_2.z)) * _e4264), ((((_e4282 * _e4249.member_2.x) + (_e4300 * _e4249.member_2.y)) + (_e4318 * _e4249.member_2.z)) * _e4264), ((((_e4288 * _e4249.member_2.x) + (_e4306 * _e4249.member_2.y)) + (_e4324 * _e4249.member_2.z)) * _e4264)), vec3<f32>(((((_e4276 * _e4249.member_1.x) + (_e4294 * _e4249.member_1.y)) + (_e4312 * _e4249.member_1.z)) * _e4264), ((((_e4282 * _e4249.member_1.x) + (_e4300 * _e4249.member_1.y)) + (_e4318 * _e4249.member_1.z)) * _e4264), ((((_e4288 * _e4249.member_1.x) + (_e4306 * _e4249.member_1.y)) + (_e4324 * _e4249.member_1.z)) * _e4264)));
+phi_9596_ = type_37(select(1e9f, _e2714, (_e2714 < 1e9f)), vec3<f32>(((((_e4276 * _e4266) + (_e4294 * _e4268)) + (_e4312 * _e4270)) * _e4264), ((((_e4282 * _e4266) + (_e4300 * _e4268)) + (_e4318 * _e4270)) * _e4264), ((((_e4288 * _e4266) + (_e4306 * _e4268)) + (_e4324 * _e4270)) * _e4264)), vec3<f32>((((_e4355 * _e4345) + (_e4373 * _e4347)) + (_e4391 * _e4349)), (((_e4361 * _e4345) + (_e4379 * _e4347)) + (_e4397 * _e4349)), (((_e4367 * _e4345) + (_e4385 * _e4347)) + (_e4403 * _e4349))), _e4249.member, vec3<f32>(((((_e4276 * _e4249.member_2.x) + (_e4294 * _e4249.member_2.y)) + (_e4312 * _e4249.member_2.z)) * _e4264), ((((_e4282 * _e4249.member_2.x) + (_e4300 * _e4249.member_2.y)) + (_e4318 * _e4249.member_2.z)) * _e4264), ((((_e4288 * _e4249.member_2.x) + (_e4306 * _e4249.member_2.y)) + (_e4324 * _e4249.member_2.z)) * _e4264)), vec3<f32>(((((_e4276 * _e4249.member_1.x) + (_e4294 * _e4249.member_1.y)) + (_e4312 * _e4249.member_1.z)) * _e4264), ((((_e4282 * _e4249.member_1.x) + (_e4300 * _e4249.member_1.y)) + (_e4318 * _e4249.member_1.z)) * _e4264), ((((_e4288 * _e4249.member_1.x) + (_e4306 * _e4249.member_1.y)) + (_e4324 * _e4249.member_1.z)) * _e4264)));
 } else {
 if (_e287.member_2 == 8u) {
 let _e1070 = global_1.member.member_8.member_4.member;
@@ -1482,7 +1482,7 @@ let _e1105 = select(_e1098, _e627, (_e627 > _e1098));
 let _e1107 = select(_e1103, _e1105, (_e1105 < _e1103));
 let _e1112 = global_1.member.member_8.member_15;
 if (_e1112 == 0u) {
-phi_7900_ = vec3<f32>(_e1079, _e1093, _e1107);
+phi_7903_ = vec3<f32>(_e1079, _e1093, _e1107);
 } else {
 let _e1114 = (_e1079 + 0.5f);
 let _e1119 = global_1.member.member_8.member_3.member;
@@ -1502,9 +1502,9 @@ let _e1166 = (_e1165 - 1f);
 let _e1168 = select(0f, _e1160, (_e1160 > 0f));
 let _e1170 = select(_e1166, _e1168, (_e1168 < _e1166));
 let _e1177 = select(0i, select(select(i32(_e1170), i32(-2147483648), (_e1170 < -2147483600f)), 2147483647i, (_e1170 > 2147483500f)), (_e1170 == _e1170));
-phi_7900_ = vec3<f32>(f32((_e1131 - select(0i, 1i, (_e1124 < f32(_e1131))))), f32((_e1154 - select(0i, 1i, (_e1147 < f32(_e1154))))), f32((_e1177 - select(0i, 1i, (_e1170 < f32(_e1177))))));
+phi_7903_ = vec3<f32>(f32((_e1131 - select(0i, 1i, (_e1124 < f32(_e1131))))), f32((_e1154 - select(0i, 1i, (_e1147 < f32(_e1154))))), f32((_e1177 - select(0i, 1i, (_e1170 < f32(_e1177))))));
 }
-let _e1185 = phi_7900_;
+let _e1185 = phi_7903_;
 let _e1191 = global_1.member.member_8.member_3.member;
 let _e1193 = select(-1f, _e1185.x, (_e1185.x > -1f));
 let _e1195 = select(_e1191, _e1193, (_e1193 < _e1191));
@@ -1789,8 +1789,8 @@ let _e1910 = global_1.member.member_8.member_1.member.member_2;
 let _e1916 = global_1.member.member_8.member_2.member.member;
 let _e1922 = global_1.member.member_8.member_2.member.member_1;
 let _e1928 = global_1.member.member_8.member_2.member.member_2;
-phi_9590_ = select(1e9f, _e1830, (_e1830 < 1e9f));
-phi_9591_ = vec3<f32>((((_e1880 * _e1870) + (_e1898 * _e1872)) + (_e1916 * _e1874)), (((_e1886 * _e1870) + (_e1904 * _e1872)) + (_e1922 * _e1874)), (((_e1892 * _e1870) + (_e1910 * _e1872)) + (_e1928 * _e1874)));
+phi_9593_ = select(1e9f, _e1830, (_e1830 < 1e9f));
+phi_9594_ = vec3<f32>((((_e1880 * _e1870) + (_e1898 * _e1872)) + (_e1916 * _e1874)), (((_e1886 * _e1870) + (_e1904 * _e1872)) + (_e1922 * _e1874)), (((_e1892 * _e1870) + (_e1910 * _e1872)) + (_e1928 * _e1874)));
 } else {
 let _e687 = global_1.member.member_8.member_4.member;
 let _e692 = global_1.member.member_8.member_5.member;
@@ -1806,7 +1806,7 @@ let _e722 = select(_e715, _e627, (_e627 > _e715));
 let _e724 = select(_e720, _e722, (_e722 < _e720));
 let _e729 = global_1.member.member_8.member_15;
 if (_e729 == 0u) {
-phi_9214_ = vec3<f32>(_e696, _e710, _e724);
+phi_9217_ = vec3<f32>(_e696, _e710, _e724);
 } else {
 let _e731 = (_e696 + 0.5f);
 let _e736 = global_1.member.member_8.member_3.member;
@@ -1826,9 +1826,9 @@ let _e783 = (_e782 - 1f);
 let _e785 = select(0f, _e777, (_e777 > 0f));
 let _e787 = select(_e783, _e785, (_e785 < _e783));
 let _e794 = select(0i, select(select(i32(_e787), i32(-2147483648), (_e787 < -2147483600f)), 2147483647i, (_e787 > 2147483500f)), (_e787 == _e787));
-phi_9214_ = vec3<f32>(f32((_e748 - select(0i, 1i, (_e741 < f32(_e748))))), f32((_e771 - select(0i, 1i, (_e764 < f32(_e771))))), f32((_e794 - select(0i, 1i, (_e787 < f32(_e794))))));
+phi_9217_ = vec3<f32>(f32((_e748 - select(0i, 1i, (_e741 < f32(_e748))))), f32((_e771 - select(0i, 1i, (_e764 < f32(_e771))))), f32((_e794 - select(0i, 1i, (_e787 < f32(_e794))))));
 }
-let _e802 = phi_9214_;
+let _e802 = phi_9217_;
 let _e808 = global_1.member.member_8.member_3.member;
 let _e810 = select(-1f, _e802.x, (_e802.x > -1f));
 let _e812 = select(_e808, _e810, (_e810 < _e808));
@@ -1919,18 +1919,18 @@ let _e1058 = global_1.member.member_8.member_7;
 let _e1060 = (((_e991 + (((_e1016 + (((_e1027 + ((bitcast<f32>(_e1036) - _e1027) * _e1038)) - _e1016) * _e1042)) - _e991) * _e1047)) - _e1054) * _e1058);
 let _e1061 = -(1e9f);
 let _e1063 = select(_e1061, _e1060, (_e1060 > _e1061));
-phi_9590_ = select(1e9f, _e1063, (_e1063 < 1e9f));
-phi_9591_ = vec3<f32>(0f, 0f, 0f);
+phi_9593_ = select(1e9f, _e1063, (_e1063 < 1e9f));
+phi_9594_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e1946 = phi_9590_;
-let _e1948 = phi_9591_;
-phi_9593_ = type_37(_e1946, vec3<f32>(0f, 0f, 0f), _e1948, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e1946 = phi_9593_;
+let _e1948 = phi_9594_;
+phi_9596_ = type_37(_e1946, vec3<f32>(0f, 0f, 0f), _e1948, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e4466 = phi_9593_;
+let _e4466 = phi_9596_;
 let _e4469 = global_1.member.member_1;
 let _e4471 = ((_e4469 & 16u) == 0u);
 if _e4471 {
-phi_10106_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_10109_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e4475 = global_1.member.member_16.member;
 let _e4486 = ((((_e4475.member.member * _e313) + (_e4475.member.member_1 * _e323)) + (_e4475.member.member_2 * _e334)) + _e4475.member_1);
@@ -1996,9 +1996,9 @@ let _e4661 = global_1.member.member_19.member_1;
 let _e4662 = (_e4661 != 0u);
 let _e4667 = select(0f, _e4656, _e4662);
 let _e4668 = select(1f, _e4657, _e4662);
-phi_10106_ = type_38(type_35(select(_e4656, _e4613, (_e4613 > _e4656)), select(_e4657, _e4615, (_e4615 < _e4657))), type_35(select(_e4667, _e4619, (_e4619 > _e4667)), select(_e4668, _e4621, (_e4621 < _e4668))), ((((1f * select(1f, 0f, (_e4509 && _e4501))) * select(1f, 0f, (_e4560 && _e4552))) * select(1f, 0f, (_e4611 && _e4603))) * select(1f, 0f, (_e4662 && _e4654))));
+phi_10109_ = type_38(type_35(select(_e4656, _e4613, (_e4613 > _e4656)), select(_e4657, _e4615, (_e4615 < _e4657))), type_35(select(_e4667, _e4619, (_e4619 > _e4667)), select(_e4668, _e4621, (_e4621 < _e4668))), ((((1f * select(1f, 0f, (_e4509 && _e4501))) * select(1f, 0f, (_e4560 && _e4552))) * select(1f, 0f, (_e4611 && _e4603))) * select(1f, 0f, (_e4662 && _e4654))));
 }
-let _e4680 = phi_10106_;
+let _e4680 = phi_10109_;
 if _e555 {
 let _e4682 = type_34(_e577, _e578, _e378, 4f, _e400, _e579, _e444, _e580, _e488, _e499, _e510, _e521, _e581);
 let _e4687 = global_1.member.member_7.member_2;
@@ -2124,7 +2124,7 @@ let _e5008 = select(select(select(select(select(select(0f, _e4719.member, _e4789
 let _e5009 = select(select(select(select(select(select(0f, _e4719.member_1, _e4789), _e4719.member_1, _e4829), _e4727.member_1, _e4869), _e4727.member_1, _e4909), _e4735.member_1, _e4949), _e4735.member_1, _e4989);
 let _e5010 = select(select(select(select(select(select(1f, _e4719.member_2, _e4789), _e4719.member_2, _e4829), _e4727.member_2, _e4869), _e4727.member_2, _e4909), _e4735.member_2, _e4949), _e4735.member_2, _e4989);
 if _e4471 {
-phi_11441_ = type_39(_e4995, vec3<f32>(_e4996, _e4997, _e4998), _e5000, vec3<f32>(_e5001, _e5002, _e5003), _e5005, _e5007, vec3<f32>(_e5008, _e5009, _e5010));
+phi_11444_ = type_39(_e4995, vec3<f32>(_e4996, _e4997, _e4998), _e5000, vec3<f32>(_e5001, _e5002, _e5003), _e5005, _e5007, vec3<f32>(_e5008, _e5009, _e5010));
 } else {
 let _e5017 = (((_e4719.member * _e4719.member) + (_e4719.member_1 * _e4719.member_1)) + (_e4719.member_2 * _e4719.member_2));
 let _e5020 = sqrt(select(0f, _e5017, (_e5017 > 0f)));
@@ -2204,21 +2204,21 @@ let _e5304 = select(2f, select(0f, _e5296, (_e5277 < 0f)), (_e5278 > 0f));
 let _e5305 = (_e5277 > _e5243);
 let _e5309 = ((_e5300 > _e5235) || ((_e5300 == _e5235) && _e5305));
 let _e5310 = (_e5304 < _e5239);
-phi_11441_ = type_39(select(_e5235, _e5300, _e5309), vec3<f32>(select(select(select(select(_e4996, _e5055.member, _e5081), _e5131.member, _e5157), _e5207.member, _e5233), _e5283.member, _e5309), select(select(select(select(_e4997, _e5055.member_1, _e5081), _e5131.member_1, _e5157), _e5207.member_1, _e5233), _e5283.member_1, _e5309), select(select(select(select(_e4998, _e5055.member_2, _e5081), _e5131.member_2, _e5157), _e5207.member_2, _e5233), _e5283.member_2, _e5309)), select(_e5239, _e5304, _e5310), vec3<f32>(select(select(select(select(_e5001, _e5055.member, _e5082), _e5131.member, _e5158), _e5207.member, _e5234), _e5283.member, _e5310), select(select(select(select(_e5002, _e5055.member_1, _e5082), _e5131.member_1, _e5158), _e5207.member_1, _e5234), _e5283.member_1, _e5310), select(select(select(select(_e5003, _e5055.member_2, _e5082), _e5131.member_2, _e5158), _e5207.member_2, _e5234), _e5283.member_2, _e5310)), select(_e5243, _e5277, _e5305), select(_e5245, _e5278, (_e5278 > _e5245)), vec3<f32>(select(select(select(select(_e5008, _e5055.member, _e5077), _e5131.member, _e5153), _e5207.member, _e5229), _e5283.member, _e5305), select(select(select(select(_e5009, _e5055.member_1, _e5077), _e5131.member_1, _e5153), _e5207.member_1, _e5229), _e5283.member_1, _e5305), select(select(select(select(_e5010, _e5055.member_2, _e5077), _e5131.member_2, _e5153), _e5207.member_2, _e5229), _e5283.member_2, _e5305)));
+phi_11444_ = type_39(select(_e5235, _e5300, _e5309), vec3<f32>(select(select(select(select(_e4996, _e5055.member, _e5081), _e5131.member, _e5157), _e5207.member, _e5233), _e5283.member, _e5309), select(select(select(select(_e4997, _e5055.member_1, _e5081), _e5131.member_1, _e5157), _e5207.member_1, _e5233), _e5283.member_1, _e5309), select(select(select(select(_e4998, _e5055.member_2, _e5081), _e5131.member_2, _e5157), _e5207.member_2, _e5233), _e5283.member_2, _e5309)), select(_e5239, _e5304, _e5310), vec3<f32>(select(select(select(select(_e5001, _e5055.member, _e5082), _e5131.member, _e5158), _e5207.member, _e5234), _e5283.member, _e5310), select(select(select(select(_e5002, _e5055.member_1, _e5082), _e5131.member_1, _e5158), _e5207.member_1, _e5234), _e5283.member_1, _e5310), select(select(select(select(_e5003, _e5055.member_2, _e5082), _e5131.member_2, _e5158), _e5207.member_2, _e5234), _e5283.member_2, _e5310)), select(_e5243, _e5277, _e5305), select(_e5245, _e5278, (_e5278 > _e5245)), vec3<f32>(select(select(select(select(_e5008, _e5055.member, _e5077), _e5131.member, _e5153), _e5207.member, _e5229), _e5283.member, _e5305), select(select(select(select(_e5009, _e5055.member_1, _e5077), _e5131.member_1, _e5153), _e5207.member_1, _e5229), _e5283.member_1, _e5305), select(select(select(select(_e5010, _e5055.member_2, _e5077), _e5131.member_2, _e5153), _e5207.member_2, _e5229), _e5283.member_2, _e5305)));
 }
-let _e5330 = phi_11441_;
+let _e5330 = phi_11444_;
 let _e5340 = (select(select(0.5f, _e5330.member_2, (_e5330.member_2 < 1f)), 0f, (_e499 == -1.2676506e30f)) * ((_e4687 / _e367) * select(_e4680.member_2, 0f, (_e488 == 0f))));
-phi_11478_ = type_34(_e4682.member, vec3<f32>((_e345 - (_e4466.member_4.x * _e5340)), (_e356 - (_e4466.member_4.y * _e5340)), (_e367 - (_e4466.member_4.z * _e5340))), _e4682.member_2, _e4682.member_3, _e4682.member_4, _e4682.member_5, _e4682.member_6, _e4682.member_7, _e4682.member_8, _e4682.member_9, _e4682.member_10, _e4682.member_11, _e4682.member_12);
+phi_11481_ = type_34(_e4682.member, vec3<f32>((_e345 - (_e4466.member_4.x * _e5340)), (_e356 - (_e4466.member_4.y * _e5340)), (_e367 - (_e4466.member_4.z * _e5340))), _e4682.member_2, _e4682.member_3, _e4682.member_4, _e4682.member_5, _e4682.member_6, _e4682.member_7, _e4682.member_8, _e4682.member_9, _e4682.member_10, _e4682.member_11, _e4682.member_12);
 } else {
-phi_11478_ = type_34(_e577, _e578, _e378, _e389, _e400, _e579, _e444, _e580, _e488, _e499, _e510, _e521, _e581);
+phi_11481_ = type_34(_e577, _e578, _e378, _e389, _e400, _e579, _e444, _e580, _e488, _e499, _e510, _e521, _e581);
 }
-let _e5365 = phi_11478_;
+let _e5365 = phi_11481_;
 let _e5370 = global_1.member.member_12.member_3;
 let _e5371 = (_e5370 == 0u);
 if _e5371 {
 let _e5589 = global_1.member.member_11.member_1;
 let _e5597 = global_1.member.member_11.member;
-phi_11738_ = type_40(vec3<f32>(_e5589.member, _e5589.member_1, _e5589.member_2), vec3<f32>(_e5597.member, _e5597.member_1, _e5597.member_2));
+phi_11741_ = type_40(vec3<f32>(_e5589.member, _e5589.member_1, _e5589.member_2), vec3<f32>(_e5597.member, _e5597.member_1, _e5597.member_2));
 } else {
 let _e5375 = global_1.member.member_12.member;
 let _e5389 = ((((_e5375.member.member * _e5365.member.x) + (_e5375.member.member_1 * _e5365.member.y)) + (_e5375.member.member_2 * _e5365.member.z)) + _e5375.member_1);
@@ -2228,18 +2228,18 @@ let _e5408 = global_1.member.member_12.member_2;
 let _e5419 = ((((_e5408.member.member * _e5365.member.x) + (_e5408.member.member_1 * _e5365.member.y)) + (_e5408.member.member_2 * _e5365.member.z)) + _e5408.member_1);
 let _e5423 = global_1.member.member_11.member_1;
 if _e5371 {
-phi_11582_ = 1f;
+phi_11585_ = 1f;
 } else {
 let _e5430 = global_1.member.member_12.member_19;
 let _e5434 = (_e5389 - _e5430.member);
 let _e5435 = (_e5404 - _e5430.member_1);
 let _e5436 = (_e5419 - _e5430.member_2);
 let _e5441 = (((_e5434 * _e5434) + (_e5435 * _e5435)) + (_e5436 * _e5436));
-phi_11582_ = (1f / select(1e-12f, _e5441, (_e5441 > 1e-12f)));
+phi_11585_ = (1f / select(1e-12f, _e5441, (_e5441 > 1e-12f)));
 }
-let _e5446 = phi_11582_;
+let _e5446 = phi_11585_;
 if _e5371 {
-phi_11666_ = 1f;
+phi_11669_ = 1f;
 } else {
 let _e5450 = global_1.member.member_12.member_19;
 let _e5454 = (_e5389 - _e5450.member);
@@ -2256,9 +2256,9 @@ let _e5497 = global_1.member.member_12.member_20.member_2;
 let _e5498 = ((_e5491 - (sqrt(select(0f, _e5480, (_e5480 > 0f))) / select(1e-20f, _e5469, (_e5469 > 1e-20f)))) * _e5497);
 let _e5500 = select(0f, _e5498, (_e5498 > 0f));
 let _e5502 = select(1f, _e5500, (_e5500 < 1f));
-phi_11666_ = select(1f, select(0f, ((_e5502 * _e5502) * (3f - (2f * _e5502))), (_e5469 > 0f)), (_e5497 > 0f));
+phi_11669_ = select(1f, select(0f, ((_e5502 * _e5502) * (3f - (2f * _e5502))), (_e5469 > 0f)), (_e5497 > 0f));
 }
-let _e5512 = phi_11666_;
+let _e5512 = phi_11669_;
 let _e5513 = (_e5446 * _e5512);
 let _e5518 = (_e5370 != 0u);
 let _e5522 = global_1.member.member_12.member_19;
@@ -2274,18 +2274,18 @@ let _e5545 = select(1f, (_e5528 * _e5539), _e5518);
 let _e5550 = global_1.member.member_12.member.member;
 let _e5561 = global_1.member.member_12.member_1.member;
 let _e5575 = global_1.member.member_12.member_2.member;
-phi_11738_ = type_40(vec3<f32>((_e5423.member * _e5513), (_e5423.member_1 * _e5513), (_e5423.member_2 * _e5513)), (vec3<f32>(((_e5550.member * _e5543) + (_e5561.member * _e5544)), ((_e5550.member_1 * _e5543) + (_e5561.member_1 * _e5544)), ((_e5550.member_2 * _e5543) + (_e5561.member_2 * _e5544))) + vec3<f32>((_e5575.member * _e5545), (_e5575.member_1 * _e5545), (_e5575.member_2 * _e5545))));
+phi_11741_ = type_40(vec3<f32>((_e5423.member * _e5513), (_e5423.member_1 * _e5513), (_e5423.member_2 * _e5513)), (vec3<f32>(((_e5550.member * _e5543) + (_e5561.member * _e5544)), ((_e5550.member_1 * _e5543) + (_e5561.member_1 * _e5544)), ((_e5550.member_2 * _e5543) + (_e5561.member_2 * _e5544))) + vec3<f32>((_e5575.member * _e5545), (_e5575.member_1 * _e5545), (_e5575.member_2 * _e5545))));
 }
-let _e5604 = phi_11738_;
-phi_11743_ = _e5365;
-phi_11745_ = _e4680.member_2;
-phi_11749_ = _e4466;
-phi_11751_ = 0i;
+let _e5604 = phi_11741_;
+phi_11746_ = _e5365;
+phi_11748_ = _e4680.member_2;
+phi_11752_ = _e4466;
+phi_11754_ = 0i;
 loop {
-let _e5606 = phi_11743_;
-let _e5608 = phi_11745_;
-let _e5610 = phi_11749_;
-let _e5612 = phi_11751_;
+let _e5606 = phi_11746_;
+let _e5608 = phi_11748_;
+let _e5610 = phi_11752_;
+let _e5612 = phi_11754_;
 local_66 = _e5606;
 local_67 = _e5606;
 local_68 = _e5606;
@@ -2460,7 +2460,7 @@ let _e6047 = select(select(select(select(select(select(0f, _e5758.member, _e5828
 let _e6048 = select(select(select(select(select(select(0f, _e5758.member_1, _e5828), _e5758.member_1, _e5868), _e5766.member_1, _e5908), _e5766.member_1, _e5948), _e5774.member_1, _e5988), _e5774.member_1, _e6028);
 let _e6049 = select(select(select(select(select(select(1f, _e5758.member_2, _e5828), _e5758.member_2, _e5868), _e5766.member_2, _e5908), _e5766.member_2, _e5948), _e5774.member_2, _e5988), _e5774.member_2, _e6028);
 if _e4471 {
-phi_13226_ = type_39(_e6034, vec3<f32>(_e6035, _e6036, _e6037), _e6039, vec3<f32>(_e6040, _e6041, _e6042), _e6044, _e6046, vec3<f32>(_e6047, _e6048, _e6049));
+phi_13229_ = type_39(_e6034, vec3<f32>(_e6035, _e6036, _e6037), _e6039, vec3<f32>(_e6040, _e6041, _e6042), _e6044, _e6046, vec3<f32>(_e6047, _e6048, _e6049));
 } else {
 let _e6056 = (((_e5758.member * _e5758.member) + (_e5758.member_1 * _e5758.member_1)) + (_e5758.member_2 * _e5758.member_2));
 let _e6059 = sqrt(select(0f, _e6056, (_e6056 > 0f)));
@@ -2540,26 +2540,26 @@ let _e6343 = select(2f, select(0f, _e6335, (_e6316 < 0f)), (_e6317 > 0f));
 let _e6344 = (_e6316 > _e6282);
 let _e6348 = ((_e6339 > _e6274) || ((_e6339 == _e6274) && _e6344));
 let _e6349 = (_e6343 < _e6278);
-phi_13226_ = type_39(select(_e6274, _e6339, _e6348), vec3<f32>(select(select(select(select(_e6035, _e6094.member, _e6120), _e6170.member, _e6196), _e6246.member, _e6272), _e6322.member, _e6348), select(select(select(select(_e6036, _e6094.member_1, _e6120), _e6170.member_1, _e6196), _e6246.member_1, _e6272), _e6322.member_1, _e6348), select(select(select(select(_e6037, _e6094.member_2, _e6120), _e6170.member_2, _e6196), _e6246.member_2, _e6272), _e6322.member_2, _e6348)), select(_e6278, _e6343, _e6349), vec3<f32>(select(select(select(select(_e6040, _e6094.member, _e6121), _e6170.member, _e6197), _e6246.member, _e6273), _e6322.member, _e6349), select(select(select(select(_e6041, _e6094.member_1, _e6121), _e6170.member_1, _e6197), _e6246.member_1, _e6273), _e6322.member_1, _e6349), select(select(select(select(_e6042, _e6094.member_2, _e6121), _e6170.member_2, _e6197), _e6246.member_2, _e6273), _e6322.member_2, _e6349)), select(_e6282, _e6316, _e6344), select(_e6284, _e6317, (_e6317 > _e6284)), vec3<f32>(select(select(select(select(_e6047, _e6094.member, _e6116), _e6170.member, _e6192), _e6246.member, _e6268), _e6322.member, _e6344), select(select(select(select(_e6048, _e6094.member_1, _e6116), _e6170.member_1, _e6192), _e6246.member_1, _e6268), _e6322.member_1, _e6344), select(select(select(select(_e6049, _e6094.member_2, _e6116), _e6170.member_2, _e6192), _e6246.member_2, _e6268), _e6322.member_2, _e6344)));
+phi_13229_ = type_39(select(_e6274, _e6339, _e6348), vec3<f32>(select(select(select(select(_e6035, _e6094.member, _e6120), _e6170.member, _e6196), _e6246.member, _e6272), _e6322.member, _e6348), select(select(select(select(_e6036, _e6094.member_1, _e6120), _e6170.member_1, _e6196), _e6246.member_1, _e6272), _e6322.member_1, _e6348), select(select(select(select(_e6037, _e6094.member_2, _e6120), _e6170.member_2, _e6196), _e6246.member_2, _e6272), _e6322.member_2, _e6348)), select(_e6278, _e6343, _e6349), vec3<f32>(select(select(select(select(_e6040, _e6094.member, _e6121), _e6170.member, _e6197), _e6246.member, _e6273), _e6322.member, _e6349), select(select(select(select(_e6041, _e6094.member_1, _e6121), _e6170.member_1, _e6197), _e6246.member_1, _e6273), _e6322.member_1, _e6349), select(select(select(select(_e6042, _e6094.member_2, _e6121), _e6170.member_2, _e6197), _e6246.member_2, _e6273), _e6322.member_2, _e6349)), select(_e6282, _e6316, _e6344), select(_e6284, _e6317, (_e6317 > _e6284)), vec3<f32>(select(select(select(select(_e6047, _e6094.member, _e6116), _e6170.member, _e6192), _e6246.member, _e6268), _e6322.member, _e6344), select(select(select(select(_e6048, _e6094.member_1, _e6116), _e6170.member_1, _e6192), _e6246.member_1, _e6268), _e6322.member_1, _e6344), select(select(select(select(_e6049, _e6094.member_2, _e6116), _e6170.member_2, _e6192), _e6246.member_2, _e6268), _e6322.member_2, _e6344)));
 }
-let _e6369 = phi_13226_;
+let _e6369 = phi_13229_;
 if _e5619 {
-phi_13238_ = (_e6369.member_2 <= 1f);
+phi_13241_ = (_e6369.member_2 <= 1f);
 } else {
-phi_13238_ = ((_e6369.member <= 1f) && (_e6369.member < _e6369.member_2));
+phi_13241_ = ((_e6369.member <= 1f) && (_e6369.member < _e6369.member_2));
 }
-let _e6377 = phi_13238_;
+let _e6377 = phi_13241_;
 if (!(_e5619) && !(_e6377)) {
-phi_44788_ = type_34(_e5606.member, _e5606.member_1, _e5606.member_2, 3f, _e5606.member_4, _e5606.member_5, _e5606.member_6, _e5606.member_7, _e5606.member_8, _e5606.member_9, _e5606.member_10, _e5606.member_11, _e5606.member_12);
-phi_44789_ = _e5608;
-phi_44791_ = _e5610;
+phi_44793_ = type_34(_e5606.member, _e5606.member_1, _e5606.member_2, 3f, _e5606.member_4, _e5606.member_5, _e5606.member_6, _e5606.member_7, _e5606.member_8, _e5606.member_9, _e5606.member_10, _e5606.member_11, _e5606.member_12);
+phi_44794_ = _e5608;
+phi_44796_ = _e5610;
 } else {
 if _e5619 {
-phi_13253_ = _e6369.member_3;
+phi_13256_ = _e6369.member_3;
 } else {
-phi_13253_ = _e6369.member_1;
+phi_13256_ = _e6369.member_1;
 }
-let _e6384 = phi_13253_;
+let _e6384 = phi_13256_;
 let _e6385 = select(_e6369.member, _e6369.member_2, _e5619);
 let _e6389 = select(1f, _e6385, _e6377);
 let _e6393 = (_e5606.member.x + ((_e5713 - _e5606.member.x) * _e6389));
@@ -2607,7 +2607,7 @@ let _e7783 = select(_e7776, _e6517, (_e6517 > _e7776));
 let _e7785 = select(_e7781, _e7783, (_e7783 < _e7781));
 let _e7790 = global_1.member.member_8.member_15;
 if (_e7790 == 0u) {
-phi_13647_ = vec3<f32>(_e7757, _e7771, _e7785);
+phi_13650_ = vec3<f32>(_e7757, _e7771, _e7785);
 } else {
 let _e7792 = (_e7757 + 0.5f);
 let _e7793 = (_e5669 - 1f);
@@ -2624,9 +2624,9 @@ let _e7829 = (_e5679 - 1f);
 let _e7831 = select(0f, _e7828, (_e7828 > 0f));
 let _e7833 = select(_e7829, _e7831, (_e7831 < _e7829));
 let _e7840 = select(0i, select(select(i32(_e7833), i32(-2147483648), (_e7833 < -2147483600f)), 2147483647i, (_e7833 > 2147483500f)), (_e7833 == _e7833));
-phi_13647_ = vec3<f32>(f32((_e7804 - select(0i, 1i, (_e7797 < f32(_e7804))))), f32((_e7822 - select(0i, 1i, (_e7815 < f32(_e7822))))), f32((_e7840 - select(0i, 1i, (_e7833 < f32(_e7840))))));
+phi_13650_ = vec3<f32>(f32((_e7804 - select(0i, 1i, (_e7797 < f32(_e7804))))), f32((_e7822 - select(0i, 1i, (_e7815 < f32(_e7822))))), f32((_e7840 - select(0i, 1i, (_e7833 < f32(_e7840))))));
 }
-let _e7848 = phi_13647_;
+let _e7848 = phi_13650_;
 let _e7851 = select(-1f, _e7848.x, (_e7848.x > -1f));
 let _e7853 = select(_e5669, _e7851, (_e7851 < _e5669));
 let _e7860 = select(0i, select(select(i32(_e7853), i32(-2147483648), (_e7853 < -2147483600f)), 2147483647i, (_e7853 > 2147483500f)), (_e7853 == _e7853));
@@ -2904,7 +2904,7 @@ let _e8526 = select(_e5792, _e6535, (_e6535 > _e5792));
 let _e8528 = select(_e5807, _e8526, (_e8526 < _e5807));
 let _e8533 = global_1.member.member_9.member_15;
 if (_e8533 == 0u) {
-phi_14908_ = vec3<f32>(_e8520, _e8524, _e8528);
+phi_14911_ = vec3<f32>(_e8520, _e8524, _e8528);
 } else {
 let _e8535 = (_e8520 + 0.5f);
 let _e8540 = global_1.member.member_9.member_3.member;
@@ -2924,9 +2924,9 @@ let _e8587 = (_e8586 - 1f);
 let _e8589 = select(0f, _e8581, (_e8581 > 0f));
 let _e8591 = select(_e8587, _e8589, (_e8589 < _e8587));
 let _e8598 = select(0i, select(select(i32(_e8591), i32(-2147483648), (_e8591 < -2147483600f)), 2147483647i, (_e8591 > 2147483500f)), (_e8591 == _e8591));
-phi_14908_ = vec3<f32>(f32((_e8552 - select(0i, 1i, (_e8545 < f32(_e8552))))), f32((_e8575 - select(0i, 1i, (_e8568 < f32(_e8575))))), f32((_e8598 - select(0i, 1i, (_e8591 < f32(_e8598))))));
+phi_14911_ = vec3<f32>(f32((_e8552 - select(0i, 1i, (_e8545 < f32(_e8552))))), f32((_e8575 - select(0i, 1i, (_e8568 < f32(_e8575))))), f32((_e8598 - select(0i, 1i, (_e8591 < f32(_e8598))))));
 }
-let _e8606 = phi_14908_;
+let _e8606 = phi_14911_;
 let _e8612 = global_1.member.member_9.member_3.member;
 let _e8614 = select(-1f, _e8606.x, (_e8606.x > -1f));
 let _e8616 = select(_e8612, _e8614, (_e8614 < _e8612));
@@ -3291,7 +3291,7 @@ if _e680 {
 let _e9973 = ((0.5f * (_e9264 - _e9258)) * _e9522);
 let _e9974 = ((0.5f * (_e9276 - _e9270)) * _e9522);
 let _e9975 = ((0.5f * (_e9288 - _e9282)) * _e9522);
-phi_20040_ = type_36(_e9484, vec3<f32>(_e9973, _e9974, _e9975), vec3<f32>((_e9973 * _e9484), (_e9974 * _e9484), (_e9975 * _e9484)));
+phi_20043_ = type_36(_e9484, vec3<f32>(_e9973, _e9974, _e9975), vec3<f32>((_e9973 * _e9484), (_e9974 * _e9484), (_e9975 * _e9484)));
 } else {
 local_35 = _e9258;
 let _e9523 = local_35;
@@ -3440,9 +3440,9 @@ let _e9948 = ((_e9469 + (f32(bitcast<i32>((_e9933 >> bitcast<u32>(12u)))) * _e94
 let _e9949 = (_e9664 - _e9593);
 let _e9951 = (_e9806 - _e9735);
 let _e9953 = (_e9948 - _e9877);
-phi_20040_ = type_36(_e9484, vec3<f32>((0.5f * _e9949), (0.5f * _e9951), (0.5f * _e9953)), vec3<f32>((0.25f * (_e9949 * (_e9664 + _e9593))), (0.25f * (_e9951 * (_e9806 + _e9735))), (0.25f * (_e9953 * (_e9948 + _e9877)))));
+phi_20043_ = type_36(_e9484, vec3<f32>((0.5f * _e9949), (0.5f * _e9951), (0.5f * _e9953)), vec3<f32>((0.25f * (_e9949 * (_e9664 + _e9593))), (0.25f * (_e9951 * (_e9806 + _e9735))), (0.25f * (_e9953 * (_e9948 + _e9877)))));
 }
-let _e9983 = phi_20040_;
+let _e9983 = phi_20043_;
 let _e9998 = select(0f, 1f, ((((((_e6523 >= _e5782) && (_e6523 <= _e5797)) && (_e6529 >= _e5787)) && (_e6529 <= _e5802)) && (_e6535 >= _e5792)) && (_e6535 <= _e5807)));
 let _e10000 = (0.5f * (_e9264 - _e9258));
 let _e10002 = (0.5f * (_e9276 - _e9270));
@@ -3468,7 +3468,7 @@ let _e10119 = global_1.member.member_8.member_1.member.member_2;
 let _e10125 = global_1.member.member_8.member_2.member.member;
 let _e10131 = global_1.member.member_8.member_2.member.member_1;
 let _e10137 = global_1.member.member_8.member_2.member.member_2;
-phi_22131_ = type_37(select(1e9f, _e8478, (_e8478 < 1e9f)), vec3<f32>(((((_e10010 * _e10000) + (_e10028 * _e10002)) + (_e10046 * _e10004)) * _e9998), ((((_e10016 * _e10000) + (_e10034 * _e10002)) + (_e10052 * _e10004)) * _e9998), ((((_e10022 * _e10000) + (_e10040 * _e10002)) + (_e10058 * _e10004)) * _e9998)), vec3<f32>((((_e10089 * _e10079) + (_e10107 * _e10081)) + (_e10125 * _e10083)), (((_e10095 * _e10079) + (_e10113 * _e10081)) + (_e10131 * _e10083)), (((_e10101 * _e10079) + (_e10119 * _e10081)) + (_e10137 * _e10083))), _e9983.member, vec3<f32>(((((_e10010 * _e9983.member_2.x) + (_e10028 * _e9983.member_2.y)) + (_e10046 * _e9983.member_2.z)) * _e9998), ((((_e10016 * _e9983.member_2.x) + (_e10034 * _e9983.member_2.y)) + (_e10052 * _e9983.member_2.z)) * _e9998), ((((_e10022 * _e9983.member_2.x) + (_e10040 * _e9983.member_2.y)) + (_e10058 * _e9983.member_2.z)) * _e9998)), vec3<f32>(((((_e10010 * _e9983.member_1.x) + (_e10028 * _e9983.member_1.y)) + (_e10046 * _e9983.member_1.z)) * _e9998), ((((_e10016 * _e9983.member_1.x) + (_e10034 * _e9983.member_1.y)) + (_e10052 * _e9983.member_1.z)) * _e9998), ((((_e10022 * _e9983.member_1.x) + (_e10040 * _e9983.member_1.y)) + (_e10058 * _e9983.member_1.z)) * _e9998)));
+phi_22134_ = type_37(select(1e9f, _e8478, (_e8478 < 1e9f)), vec3<f32>(((((_e10010 * _e10000) + (_e10028 * _e10002)) + (_e10046 * _e10004)) * _e9998), ((((_e10016 * _e10000) + (_e10034 * _e10002)) + (_e10052 * _e10004)) * _e9998), ((((_e10022 * _e10000) + (_e10040 * _e10002)) + (_e10058 * _e10004)) * _e9998)), vec3<f32>((((_e10089 * _e10079) + (_e10107 * _e10081)) + (_e10125 * _e10083)), (((_e10095 * _e10079) + (_e10113 * _e10081)) + (_e10131 * _e10083)), (((_e10101 * _e10079) + (_e10119 * _e10081)) + (_e10137 * _e10083))), _e9983.member, vec3<f32>(((((_e10010 * _e9983.member_2.x) + (_e10028 * _e9983.member_2.y)) + (_e10046 * _e9983.member_2.z)) * _e9998), ((((_e10016 * _e9983.member_2.x) + (_e10034 * _e9983.member_2.y)) + (_e10052 * _e9983.member_2.z)) * _e9998), ((((_e10022 * _e9983.member_2.x) + (_e10040 * _e9983.member_2.y)) + (_e10058 * _e9983.member_2.z)) * _e9998)), vec3<f32>(((((_e10010 * _e9983.member_1.x) + (_e10028 * _e9983.member_1.y)) + (_e10046 * _e9983.member_1.z)) * _e9998), ((((_e10016 * _e9983.member_1.x) + (_e10034 * _e9983.member_1.y)) + (_e10052 * _e9983.member_1.z)) * _e9998), ((((_e10022 * _e9983.member_1.x) + (_e10040 * _e9983.member_1.y)) + (_e10058 * _e9983.member_1.z)) * _e9998)));
 } else {
 if (_e287.member_2 == 8u) {
 let _e6894 = global_1.member.member_8.member_4.member;
@@ -3485,7 +3485,7 @@ let _e6929 = select(_e6922, _e6517, (_e6517 > _e6922));
 let _e6931 = select(_e6927, _e6929, (_e6929 < _e6927));
 let _e6936 = global_1.member.member_8.member_15;
 if (_e6936 == 0u) {
-phi_20438_ = vec3<f32>(_e6903, _e6917, _e6931);
+phi_20441_ = vec3<f32>(_e6903, _e6917, _e6931);
 } else {
 let _e6938 = (_e6903 + 0.5f);
 let _e6939 = (_e5669 - 1f);
@@ -3502,9 +3502,9 @@ let _e6975 = (_e5679 - 1f);
 let _e6977 = select(0f, _e6974, (_e6974 > 0f));
 let _e6979 = select(_e6975, _e6977, (_e6977 < _e6975));
 let _e6986 = select(0i, select(select(i32(_e6979), i32(-2147483648), (_e6979 < -2147483600f)), 2147483647i, (_e6979 > 2147483500f)), (_e6979 == _e6979));
-phi_20438_ = vec3<f32>(f32((_e6950 - select(0i, 1i, (_e6943 < f32(_e6950))))), f32((_e6968 - select(0i, 1i, (_e6961 < f32(_e6968))))), f32((_e6986 - select(0i, 1i, (_e6979 < f32(_e6986))))));
+phi_20441_ = vec3<f32>(f32((_e6950 - select(0i, 1i, (_e6943 < f32(_e6950))))), f32((_e6968 - select(0i, 1i, (_e6961 < f32(_e6968))))), f32((_e6986 - select(0i, 1i, (_e6979 < f32(_e6986))))));
 }
-let _e6994 = phi_20438_;
+let _e6994 = phi_20441_;
 let _e6997 = select(-1f, _e6994.x, (_e6994.x > -1f));
 let _e6999 = select(_e5669, _e6997, (_e6997 < _e5669));
 let _e7006 = select(0i, select(select(i32(_e6999), i32(-2147483648), (_e6999 < -2147483600f)), 2147483647i, (_e6999 > 2147483500f)), (_e6999 == _e6999));
@@ -3786,8 +3786,8 @@ let _e7704 = global_1.member.member_8.member_1.member.member_2;
 let _e7710 = global_1.member.member_8.member_2.member.member;
 let _e7716 = global_1.member.member_8.member_2.member.member_1;
 let _e7722 = global_1.member.member_8.member_2.member.member_2;
-phi_22128_ = select(1e9f, _e7624, (_e7624 < 1e9f));
-phi_22129_ = vec3<f32>((((_e7674 * _e7664) + (_e7692 * _e7666)) + (_e7710 * _e7668)), (((_e7680 * _e7664) + (_e7698 * _e7666)) + (_e7716 * _e7668)), (((_e7686 * _e7664) + (_e7704 * _e7666)) + (_e7722 * _e7668)));
+phi_22131_ = select(1e9f, _e7624, (_e7624 < 1e9f));
+phi_22132_ = vec3<f32>((((_e7674 * _e7664) + (_e7692 * _e7666)) + (_e7710 * _e7668)), (((_e7680 * _e7664) + (_e7698 * _e7666)) + (_e7716 * _e7668)), (((_e7686 * _e7664) + (_e7704 * _e7666)) + (_e7722 * _e7668)));
 } else {
 let _e6541 = global_1.member.member_8.member_4.member;
 let _e6546 = global_1.member.member_8.member_5.member;
@@ -3803,7 +3803,7 @@ let _e6576 = select(_e6569, _e6517, (_e6517 > _e6569));
 let _e6578 = select(_e6574, _e6576, (_e6576 < _e6574));
 let _e6583 = global_1.member.member_8.member_15;
 if (_e6583 == 0u) {
-phi_21752_ = vec3<f32>(_e6550, _e6564, _e6578);
+phi_21755_ = vec3<f32>(_e6550, _e6564, _e6578);
 } else {
 let _e6585 = (_e6550 + 0.5f);
 let _e6586 = (_e5669 - 1f);
@@ -3820,9 +3820,9 @@ let _e6622 = (_e5679 - 1f);
 let _e6624 = select(0f, _e6621, (_e6621 > 0f));
 let _e6626 = select(_e6622, _e6624, (_e6624 < _e6622));
 let _e6633 = select(0i, select(select(i32(_e6626), i32(-2147483648), (_e6626 < -2147483600f)), 2147483647i, (_e6626 > 2147483500f)), (_e6626 == _e6626));
-phi_21752_ = vec3<f32>(f32((_e6597 - select(0i, 1i, (_e6590 < f32(_e6597))))), f32((_e6615 - select(0i, 1i, (_e6608 < f32(_e6615))))), f32((_e6633 - select(0i, 1i, (_e6626 < f32(_e6633))))));
+phi_21755_ = vec3<f32>(f32((_e6597 - select(0i, 1i, (_e6590 < f32(_e6597))))), f32((_e6615 - select(0i, 1i, (_e6608 < f32(_e6615))))), f32((_e6633 - select(0i, 1i, (_e6626 < f32(_e6633))))));
 }
-let _e6641 = phi_21752_;
+let _e6641 = phi_21755_;
 let _e6644 = select(-1f, _e6641.x, (_e6641.x > -1f));
 let _e6646 = select(_e5669, _e6644, (_e6644 < _e5669));
 let _e6653 = select(0i, select(select(i32(_e6646), i32(-2147483648), (_e6646 < -2147483600f)), 2147483647i, (_e6646 > 2147483500f)), (_e6646 == _e6646));
@@ -3910,16 +3910,16 @@ let _e6882 = global_1.member.member_8.member_7;
 let _e6884 = (((_e6815 + (((_e6840 + (((_e6851 + ((bitcast<f32>(_e6860) - _e6851) * _e6862)) - _e6840) * _e6866)) - _e6815) * _e6871)) - _e6878) * _e6882);
 let _e6885 = -(1e9f);
 let _e6887 = select(_e6885, _e6884, (_e6884 > _e6885));
-phi_22128_ = select(1e9f, _e6887, (_e6887 < 1e9f));
-phi_22129_ = vec3<f32>(0f, 0f, 0f);
+phi_22131_ = select(1e9f, _e6887, (_e6887 < 1e9f));
+phi_22132_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e7740 = phi_22128_;
-let _e7742 = phi_22129_;
-phi_22131_ = type_37(_e7740, vec3<f32>(0f, 0f, 0f), _e7742, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e7740 = phi_22131_;
+let _e7742 = phi_22132_;
+phi_22134_ = type_37(_e7740, vec3<f32>(0f, 0f, 0f), _e7742, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e10200 = phi_22131_;
+let _e10200 = phi_22134_;
 if _e4471 {
-phi_22656_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_22659_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e10204 = global_1.member.member_16.member;
 let _e10215 = ((((_e10204.member.member * _e5606.member.x) + (_e10204.member.member_1 * _e5606.member.y)) + (_e10204.member.member_2 * _e5606.member.z)) + _e10204.member_1);
@@ -3993,9 +3993,9 @@ let _e10422 = global_1.member.member_19.member_1;
 let _e10423 = (_e10422 != 0u);
 let _e10428 = select(0f, _e10416, _e10423);
 let _e10429 = select(1f, _e10418, _e10423);
-phi_22656_ = type_38(type_35(select(_e10416, _e10366, (_e10366 > _e10416)), select(_e10418, _e10368, (_e10368 < _e10418))), type_35(select(_e10428, _e10372, (_e10372 > _e10428)), select(_e10429, _e10374, (_e10374 < _e10429))), ((((1f * select(1f, 0f, (_e10246 && _e10237))) * select(1f, 0f, (_e10305 && _e10296))) * select(1f, 0f, (_e10364 && _e10355))) * select(1f, 0f, (_e10423 && _e10414))));
+phi_22659_ = type_38(type_35(select(_e10416, _e10366, (_e10366 > _e10416)), select(_e10418, _e10368, (_e10368 < _e10418))), type_35(select(_e10428, _e10372, (_e10372 > _e10428)), select(_e10429, _e10374, (_e10374 < _e10429))), ((((1f * select(1f, 0f, (_e10246 && _e10237))) * select(1f, 0f, (_e10305 && _e10296))) * select(1f, 0f, (_e10364 && _e10355))) * select(1f, 0f, (_e10423 && _e10414))));
 }
-let _e10441 = phi_22656_;
+let _e10441 = phi_22659_;
 let _e10444 = (select(0f, (_e6385 - 0.5f), _e6377) * _e5701);
 let _e10448 = (_e5706 + (_e5625 * _e10444));
 let _e10449 = (_e5707 + (_e5627 * _e10444));
@@ -4008,7 +4008,7 @@ let _e10460 = select(_e5792, _e6535, (_e6535 > _e5792));
 let _e10462 = select(_e5807, _e10460, (_e10460 < _e5807));
 let _e10467 = global_1.member.member_9.member_15;
 if (_e10467 == 0u) {
-phi_22852_ = vec3<f32>(_e10454, _e10458, _e10462);
+phi_22855_ = vec3<f32>(_e10454, _e10458, _e10462);
 } else {
 let _e10469 = (_e10454 + 0.5f);
 let _e10474 = global_1.member.member_9.member_3.member;
@@ -4028,9 +4028,9 @@ let _e10521 = (_e10520 - 1f);
 let _e10523 = select(0f, _e10515, (_e10515 > 0f));
 let _e10525 = select(_e10521, _e10523, (_e10523 < _e10521));
 let _e10532 = select(0i, select(select(i32(_e10525), i32(-2147483648), (_e10525 < -2147483600f)), 2147483647i, (_e10525 > 2147483500f)), (_e10525 == _e10525));
-phi_22852_ = vec3<f32>(f32((_e10486 - select(0i, 1i, (_e10479 < f32(_e10486))))), f32((_e10509 - select(0i, 1i, (_e10502 < f32(_e10509))))), f32((_e10532 - select(0i, 1i, (_e10525 < f32(_e10532))))));
+phi_22855_ = vec3<f32>(f32((_e10486 - select(0i, 1i, (_e10479 < f32(_e10486))))), f32((_e10509 - select(0i, 1i, (_e10502 < f32(_e10509))))), f32((_e10532 - select(0i, 1i, (_e10525 < f32(_e10532))))));
 }
-let _e10540 = phi_22852_;
+let _e10540 = phi_22855_;
 let _e10546 = global_1.member.member_9.member_3.member;
 let _e10548 = select(-1f, _e10540.x, (_e10540.x > -1f));
 let _e10550 = select(_e10546, _e10548, (_e10548 < _e10546));
@@ -4639,19 +4639,19 @@ let _e12763 = (((1f - _e12751) + (_e12697 * select(0f, _e12753, (_e12753 > 0f)))
 let _e12773 = (_e12698 > 0f);
 let _e12775 = (1f - _e12760);
 let _e12784 = (_e12759 / select(1e-12f, _e12775, (_e12775 > 1e-12f)));
-phi_27566_ = type_43(select(_e12475, _e12760, _e12773), select(_e12476, _e12775, _e12773), _e12425, vec3<f32>(select(_e12484, ((_e12484 * _e12763) + (_e12658 * _e12759)), _e12773), select(_e12486, ((_e12486 * _e12763) + (_e12668 * _e12759)), _e12773), select(_e12488, ((_e12488 * _e12763) + (_e12678 * _e12759)), _e12773)));
-phi_27567_ = type_41(_e12697, _e12698, vec3<f32>(_e12658, _e12668, _e12678), _e12700);
-phi_27568_ = select(0f, select(1f, _e12784, (_e12784 < 1f)), _e12773);
+phi_27569_ = type_43(select(_e12475, _e12760, _e12773), select(_e12476, _e12775, _e12773), _e12425, vec3<f32>(select(_e12484, ((_e12484 * _e12763) + (_e12658 * _e12759)), _e12773), select(_e12486, ((_e12486 * _e12763) + (_e12668 * _e12759)), _e12773), select(_e12488, ((_e12488 * _e12763) + (_e12678 * _e12759)), _e12773)));
+phi_27570_ = type_41(_e12697, _e12698, vec3<f32>(_e12658, _e12668, _e12678), _e12700);
+phi_27571_ = select(0f, select(1f, _e12784, (_e12784 < 1f)), _e12773);
 } else {
-phi_27566_ = type_43(_e12475, _e12476, _e12425, (_e12482 * _e12480));
-phi_27567_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_27568_ = 0f;
+phi_27569_ = type_43(_e12475, _e12476, _e12425, (_e12482 * _e12480));
+phi_27570_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_27571_ = 0f;
 }
-let _e12789 = phi_27566_;
-let _e12791 = phi_27567_;
-let _e12793 = phi_27568_;
+let _e12789 = phi_27569_;
+let _e12791 = phi_27570_;
+let _e12793 = phi_27571_;
 if (_e676 || _e679) {
-phi_43175_ = _e5604;
+phi_43180_ = _e5604;
 } else {
 let _e12796 = select(_e11218, _e10441.member.member, (_e10441.member.member > _e11218));
 let _e12804 = (_e5606.member + vec3<f32>((_e11223 * _e11097), (_e11224 * _e11097), (_e11225 * _e11097)));
@@ -4728,7 +4728,7 @@ let _e13085 = select(_e11180, _e13075, (_e13075 > _e11180));
 let _e13087 = select(_e11185, _e13085, (_e13085 < _e11185));
 let _e13089 = (_e11076 == 0u);
 if _e13089 {
-phi_28154_ = vec3<f32>(_e13079, _e13083, _e13087);
+phi_28159_ = vec3<f32>(_e13079, _e13083, _e13087);
 } else {
 let _e13090 = (_e13079 + 0.5f);
 let _e13091 = (_e5669 - 1f);
@@ -4745,9 +4745,9 @@ let _e13127 = (_e5679 - 1f);
 let _e13129 = select(0f, _e13126, (_e13126 > 0f));
 let _e13131 = select(_e13127, _e13129, (_e13129 < _e13127));
 let _e13138 = select(0i, select(select(i32(_e13131), i32(-2147483648), (_e13131 < -2147483600f)), 2147483647i, (_e13131 > 2147483500f)), (_e13131 == _e13131));
-phi_28154_ = vec3<f32>(f32((_e13102 - select(0i, 1i, (_e13095 < f32(_e13102))))), f32((_e13120 - select(0i, 1i, (_e13113 < f32(_e13120))))), f32((_e13138 - select(0i, 1i, (_e13131 < f32(_e13138))))));
+phi_28159_ = vec3<f32>(f32((_e13102 - select(0i, 1i, (_e13095 < f32(_e13102))))), f32((_e13120 - select(0i, 1i, (_e13113 < f32(_e13120))))), f32((_e13138 - select(0i, 1i, (_e13131 < f32(_e13138))))));
 }
-let _e13146 = phi_28154_;
+let _e13146 = phi_28159_;
 let _e13149 = select(-1f, _e13146.x, (_e13146.x > -1f));
 let _e13151 = select(_e5669, _e13149, (_e13149 < _e5669));
 let _e13158 = select(0i, select(select(i32(_e13151), i32(-2147483648), (_e13151 < -2147483600f)), 2147483647i, (_e13151 > 2147483500f)), (_e13151 == _e13151));
@@ -4841,7 +4841,7 @@ let _e13390 = select(_e10799, _e13388, (_e13388 > _e10799));
 let _e13392 = select(1e9f, _e13390, (_e13390 < 1e9f));
 let _e13393 = (_e12988 * _e11242);
 if _e4471 {
-phi_29046_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_29051_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13397 = global_1.member.member_16.member;
 let _e13408 = ((((_e13397.member.member * _e13055) + (_e13397.member.member_1 * _e13056)) + (_e13397.member.member_2 * _e13057)) + _e13397.member_1);
@@ -4915,9 +4915,9 @@ let _e13615 = global_1.member.member_19.member_1;
 let _e13616 = (_e13615 != 0u);
 let _e13621 = select(0f, _e13609, _e13616);
 let _e13622 = select(1f, _e13611, _e13616);
-phi_29046_ = type_38(type_35(select(_e13609, _e13559, (_e13559 > _e13609)), select(_e13611, _e13561, (_e13561 < _e13611))), type_35(select(_e13621, _e13565, (_e13565 > _e13621)), select(_e13622, _e13567, (_e13567 < _e13622))), ((((1f * select(1f, 0f, (_e13439 && _e13430))) * select(1f, 0f, (_e13498 && _e13489))) * select(1f, 0f, (_e13557 && _e13548))) * select(1f, 0f, (_e13616 && _e13607))));
+phi_29051_ = type_38(type_35(select(_e13609, _e13559, (_e13559 > _e13609)), select(_e13611, _e13561, (_e13561 < _e13611))), type_35(select(_e13621, _e13565, (_e13565 > _e13621)), select(_e13622, _e13567, (_e13567 < _e13622))), ((((1f * select(1f, 0f, (_e13439 && _e13430))) * select(1f, 0f, (_e13498 && _e13489))) * select(1f, 0f, (_e13557 && _e13548))) * select(1f, 0f, (_e13616 && _e13607))));
 }
-let _e13634 = phi_29046_;
+let _e13634 = phi_29051_;
 let _e13640 = ((((_e586.member.member * _e12905) + (_e586.member.member_1 * _e12906)) + (_e586.member.member_2 * _e12907)) + _e586.member_1);
 let _e13646 = ((((_e601.member.member * _e12905) + (_e601.member.member_1 * _e12906)) + (_e601.member.member_2 * _e12907)) + _e601.member_1);
 let _e13652 = ((((_e616.member.member * _e12905) + (_e616.member.member_1 * _e12906)) + (_e616.member.member_2 * _e12907)) + _e616.member_1);
@@ -5050,7 +5050,7 @@ let _e14479 = global_3.member[bitcast<u32>(select(0i, _e14474, (_e14474 > 0i)))]
 let _e14489 = (_e14441 + (((bitcast<f32>((((_e14449 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14441) * _e14424));
 let _e14497 = global_3.member[_e11902];
 let _e14506 = global_3.member[_e11922];
-phi_32721_ = type_42((((_e14489 + (((_e14471 + (((bitcast<f32>((((_e14479 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14471) * _e14424)) - _e14489) * (_e14299 - f32(_e14377)))) * (1f - (_e14411 + _e14417))) + (((bitcast<f32>((((_e14497 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14411) + ((bitcast<f32>((((_e14506 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14417))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_32726_ = type_42((((_e14489 + (((_e14471 + (((bitcast<f32>((((_e14479 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14471) * _e14424)) - _e14489) * (_e14299 - f32(_e14377)))) * (1f - (_e14411 + _e14417))) + (((bitcast<f32>((((_e14497 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14411) + ((bitcast<f32>((((_e14506 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14417))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e13392;
 let _e13774 = local_9;
@@ -5163,9 +5163,9 @@ let _e14181 = (_e14111 + (((bitcast<f32>(((_e14126 & 32767u) << bitcast<u32>(13i
 let _e14190 = (_e14118 + (((bitcast<f32>((((_e14126 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14118) * _e13961));
 let _e14198 = global_3.member[_e11902];
 let _e14212 = global_3.member[_e11922];
-phi_32721_ = type_42((((_e14190 + (((_e14158 + (((bitcast<f32>((((_e14166 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14158) * _e13961)) - _e14190) * _e13959)) * _e13963) + (((bitcast<f32>((((_e14198 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>((((_e14212 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954))), vec3<f32>((((_e14181 + (((_e14151 + (((bitcast<f32>(((_e14166 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14151) * _e13961)) - _e14181) * _e13959)) * _e13963) + (((bitcast<f32>(((_e14198 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>(((_e14212 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954))), (((_e14045 + (((_e14015 + (((bitcast<f32>(((_e14030 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14015) * _e13961)) - _e14045) * _e13959)) * _e13963) + (((bitcast<f32>(((_e14062 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>(((_e14076 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954))), (((_e14054 + (((_e14022 + (((bitcast<f32>((((_e14030 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14022) * _e13961)) - _e14054) * _e13959)) * _e13963) + (((bitcast<f32>((((_e14062 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>((((_e14076 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_32726_ = type_42((((_e14190 + (((_e14158 + (((bitcast<f32>((((_e14166 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14158) * _e13961)) - _e14190) * _e13959)) * _e13963) + (((bitcast<f32>((((_e14198 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>((((_e14212 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954))), vec3<f32>((((_e14181 + (((_e14151 + (((bitcast<f32>(((_e14166 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14151) * _e13961)) - _e14181) * _e13959)) * _e13963) + (((bitcast<f32>(((_e14198 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>(((_e14212 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954))), (((_e14045 + (((_e14015 + (((bitcast<f32>(((_e14030 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14015) * _e13961)) - _e14045) * _e13959)) * _e13963) + (((bitcast<f32>(((_e14062 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>(((_e14076 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954))), (((_e14054 + (((_e14022 + (((bitcast<f32>((((_e14030 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14022) * _e13961)) - _e14054) * _e13959)) * _e13963) + (((bitcast<f32>((((_e14062 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13948) + ((bitcast<f32>((((_e14076 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14521 = phi_32721_;
+let _e14521 = phi_32726_;
 if _e13773 {
 let _e14734 = -((_e14521.member * (_e13393 * _e13758)));
 let _e14736 = select(-87f, _e14734, (_e14734 > -87f));
@@ -5179,7 +5179,7 @@ let _e14756 = f32(_e14755);
 let _e14760 = ((_e14738 - (_e14756 * 0.6933594f)) - (_e14756 * -2.1219444e-4f));
 let _e14780 = ((1f + (_e14760 * (1f + (_e14760 * (0.5f + (_e14760 * (0.16666667f + (_e14760 * (0.041666668f + (_e14760 * (0.008333334f + (_e14760 * (0.001388889f + (_e14760 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14755 + 127i)) << bitcast<u32>(23i))));
 let _e14781 = (1f - _e14780);
-phi_33072_ = type_43(_e14780, _e14781, vec3<f32>(1f, 1f, 1f), (_e14521.member_2 * (_e14781 / select(1e-12f, _e14521.member, (_e14521.member > 1e-12f)))));
+phi_33077_ = type_43(_e14780, _e14781, vec3<f32>(1f, 1f, 1f), (_e14521.member_2 * (_e14781 / select(1e-12f, _e14521.member, (_e14521.member > 1e-12f)))));
 } else {
 let _e14523 = (_e13393 * select(0f, _e13767, (_e13767 > 0f)));
 let _e14527 = -((_e14521.member_1.x * _e14523));
@@ -5224,9 +5224,9 @@ let _e14699 = f32(_e14698);
 let _e14703 = ((_e14681 - (_e14699 * 0.6933594f)) - (_e14699 * -2.1219444e-4f));
 let _e14723 = ((1f + (_e14703 * (1f + (_e14703 * (0.5f + (_e14703 * (0.16666667f + (_e14703 * (0.041666668f + (_e14703 * (0.008333334f + (_e14703 * (0.001388889f + (_e14703 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14698 + 127i)) << bitcast<u32>(23i))));
 let _e14724 = (1f - _e14723);
-phi_33072_ = type_43(_e14723, _e14724, vec3<f32>(((1f + (_e14553 * (1f + (_e14553 * (0.5f + (_e14553 * (0.16666667f + (_e14553 * (0.041666668f + (_e14553 * (0.008333334f + (_e14553 * (0.001388889f + (_e14553 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14548 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14603 * (1f + (_e14603 * (0.5f + (_e14603 * (0.16666667f + (_e14603 * (0.041666668f + (_e14603 * (0.008333334f + (_e14603 * (0.001388889f + (_e14603 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14598 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14653 * (1f + (_e14653 * (0.5f + (_e14653 * (0.16666667f + (_e14653 * (0.041666668f + (_e14653 * (0.008333334f + (_e14653 * (0.001388889f + (_e14653 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14648 + 127i)) << bitcast<u32>(23i))))), (_e14521.member_2 * (_e14724 / select(1e-12f, _e14521.member, (_e14521.member > 1e-12f)))));
+phi_33077_ = type_43(_e14723, _e14724, vec3<f32>(((1f + (_e14553 * (1f + (_e14553 * (0.5f + (_e14553 * (0.16666667f + (_e14553 * (0.041666668f + (_e14553 * (0.008333334f + (_e14553 * (0.001388889f + (_e14553 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14548 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14603 * (1f + (_e14603 * (0.5f + (_e14603 * (0.16666667f + (_e14603 * (0.041666668f + (_e14603 * (0.008333334f + (_e14603 * (0.001388889f + (_e14603 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14598 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14653 * (1f + (_e14653 * (0.5f + (_e14653 * (0.16666667f + (_e14653 * (0.041666668f + (_e14653 * (0.008333334f + (_e14653 * (0.001388889f + (_e14653 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14648 + 127i)) << bitcast<u32>(23i))))), (_e14521.member_2 * (_e14724 / select(1e-12f, _e14521.member, (_e14521.member > 1e-12f)))));
 }
-let _e14789 = phi_33072_;
+let _e14789 = phi_33077_;
 let _e14798 = (_e13055 - (_e12905 - _e13055));
 let _e14799 = (_e13056 - (_e12906 - _e13056));
 let _e14800 = (_e13057 - (_e12907 - _e13057));
@@ -5240,7 +5240,7 @@ let _e14826 = select(_e11146, _e14824, (_e14824 < _e11146));
 let _e14828 = select(_e11180, _e14818, (_e14818 > _e11180));
 let _e14830 = select(_e11185, _e14828, (_e14828 < _e11185));
 if _e13089 {
-phi_33277_ = vec3<f32>(_e14822, _e14826, _e14830);
+phi_33282_ = vec3<f32>(_e14822, _e14826, _e14830);
 } else {
 let _e14832 = (_e14822 + 0.5f);
 let _e14833 = (_e5669 - 1f);
@@ -5257,9 +5257,9 @@ let _e14869 = (_e5679 - 1f);
 let _e14871 = select(0f, _e14868, (_e14868 > 0f));
 let _e14873 = select(_e14869, _e14871, (_e14871 < _e14869));
 let _e14880 = select(0i, select(select(i32(_e14873), i32(-2147483648), (_e14873 < -2147483600f)), 2147483647i, (_e14873 > 2147483500f)), (_e14873 == _e14873));
-phi_33277_ = vec3<f32>(f32((_e14844 - select(0i, 1i, (_e14837 < f32(_e14844))))), f32((_e14862 - select(0i, 1i, (_e14855 < f32(_e14862))))), f32((_e14880 - select(0i, 1i, (_e14873 < f32(_e14880))))));
+phi_33282_ = vec3<f32>(f32((_e14844 - select(0i, 1i, (_e14837 < f32(_e14844))))), f32((_e14862 - select(0i, 1i, (_e14855 < f32(_e14862))))), f32((_e14880 - select(0i, 1i, (_e14873 < f32(_e14880))))));
 }
-let _e14888 = phi_33277_;
+let _e14888 = phi_33282_;
 let _e14891 = select(-1f, _e14888.x, (_e14888.x > -1f));
 let _e14893 = select(_e5669, _e14891, (_e14891 < _e5669));
 let _e14900 = select(0i, select(select(i32(_e14893), i32(-2147483648), (_e14893 < -2147483600f)), 2147483647i, (_e14893 > 2147483500f)), (_e14893 == _e14893));
@@ -5341,7 +5341,7 @@ let _e15098 = (((_e15037 + (((_e15062 + (((_e15073 + ((bitcast<f32>(_e15082) - _
 let _e15100 = select(_e10799, _e15098, (_e15098 > _e10799));
 let _e15102 = select(1e9f, _e15100, (_e15100 < 1e9f));
 if _e4471 {
-phi_34169_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_34174_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e15106 = global_1.member.member_16.member;
 let _e15117 = ((((_e15106.member.member * _e14798) + (_e15106.member.member_1 * _e14799)) + (_e15106.member.member_2 * _e14800)) + _e15106.member_1);
@@ -5415,9 +5415,9 @@ let _e15324 = global_1.member.member_19.member_1;
 let _e15325 = (_e15324 != 0u);
 let _e15330 = select(0f, _e15318, _e15325);
 let _e15331 = select(1f, _e15320, _e15325);
-phi_34169_ = type_38(type_35(select(_e15318, _e15268, (_e15268 > _e15318)), select(_e15320, _e15270, (_e15270 < _e15320))), type_35(select(_e15330, _e15274, (_e15274 > _e15330)), select(_e15331, _e15276, (_e15276 < _e15331))), ((((1f * select(1f, 0f, (_e15148 && _e15139))) * select(1f, 0f, (_e15207 && _e15198))) * select(1f, 0f, (_e15266 && _e15257))) * select(1f, 0f, (_e15325 && _e15316))));
+phi_34174_ = type_38(type_35(select(_e15318, _e15268, (_e15268 > _e15318)), select(_e15320, _e15270, (_e15270 < _e15320))), type_35(select(_e15330, _e15274, (_e15274 > _e15330)), select(_e15331, _e15276, (_e15276 < _e15331))), ((((1f * select(1f, 0f, (_e15148 && _e15139))) * select(1f, 0f, (_e15207 && _e15198))) * select(1f, 0f, (_e15266 && _e15257))) * select(1f, 0f, (_e15325 && _e15316))));
 }
-let _e15343 = phi_34169_;
+let _e15343 = phi_34174_;
 let _e15344 = (_e13063 - _e14806);
 let _e15348 = (bitcast<f32>((bitcast<u32>(_e15344) & 2147483647u)) < 1e-12f);
 let _e15350 = (1f / select(_e15344, 1f, _e15348));
@@ -5546,7 +5546,7 @@ let _e16166 = global_3.member[bitcast<u32>(select(0i, _e16161, (_e16161 > 0i)))]
 let _e16176 = (_e16128 + (((bitcast<f32>((((_e16136 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16128) * _e16111));
 let _e16184 = global_3.member[_e11902];
 let _e16193 = global_3.member[_e11922];
-phi_37844_ = type_42((((_e16176 + (((_e16158 + (((bitcast<f32>((((_e16166 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16158) * _e16111)) - _e16176) * (_e15986 - f32(_e16064)))) * (1f - (_e16098 + _e16104))) + (((bitcast<f32>((((_e16184 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16098) + ((bitcast<f32>((((_e16193 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16104))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37849_ = type_42((((_e16176 + (((_e16158 + (((bitcast<f32>((((_e16166 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16158) * _e16111)) - _e16176) * (_e15986 - f32(_e16064)))) * (1f - (_e16098 + _e16104))) + (((bitcast<f32>((((_e16184 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16098) + ((bitcast<f32>((((_e16193 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16104))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e15102;
 let _e15461 = local_3;
@@ -5659,9 +5659,9 @@ let _e15868 = (_e15798 + (((bitcast<f32>(((_e15813 & 32767u) << bitcast<u32>(13i
 let _e15877 = (_e15805 + (((bitcast<f32>((((_e15813 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15805) * _e15648));
 let _e15885 = global_3.member[_e11902];
 let _e15899 = global_3.member[_e11922];
-phi_37844_ = type_42((((_e15877 + (((_e15845 + (((bitcast<f32>((((_e15853 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15845) * _e15648)) - _e15877) * _e15646)) * _e15650) + (((bitcast<f32>((((_e15885 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>((((_e15899 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641))), vec3<f32>((((_e15868 + (((_e15838 + (((bitcast<f32>(((_e15853 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15838) * _e15648)) - _e15868) * _e15646)) * _e15650) + (((bitcast<f32>(((_e15885 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>(((_e15899 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641))), (((_e15732 + (((_e15702 + (((bitcast<f32>(((_e15717 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15702) * _e15648)) - _e15732) * _e15646)) * _e15650) + (((bitcast<f32>(((_e15749 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>(((_e15763 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641))), (((_e15741 + (((_e15709 + (((bitcast<f32>((((_e15717 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15709) * _e15648)) - _e15741) * _e15646)) * _e15650) + (((bitcast<f32>((((_e15749 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>((((_e15763 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37849_ = type_42((((_e15877 + (((_e15845 + (((bitcast<f32>((((_e15853 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15845) * _e15648)) - _e15877) * _e15646)) * _e15650) + (((bitcast<f32>((((_e15885 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>((((_e15899 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641))), vec3<f32>((((_e15868 + (((_e15838 + (((bitcast<f32>(((_e15853 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15838) * _e15648)) - _e15868) * _e15646)) * _e15650) + (((bitcast<f32>(((_e15885 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>(((_e15899 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641))), (((_e15732 + (((_e15702 + (((bitcast<f32>(((_e15717 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15702) * _e15648)) - _e15732) * _e15646)) * _e15650) + (((bitcast<f32>(((_e15749 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>(((_e15763 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641))), (((_e15741 + (((_e15709 + (((bitcast<f32>((((_e15717 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15709) * _e15648)) - _e15741) * _e15646)) * _e15650) + (((bitcast<f32>((((_e15749 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15635) + ((bitcast<f32>((((_e15763 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15641)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e16208 = phi_37844_;
+let _e16208 = phi_37849_;
 if _e13773 {
 let _e16421 = -((_e16208.member * (_e13393 * _e15449)));
 let _e16423 = select(-87f, _e16421, (_e16421 > -87f));
@@ -5675,7 +5675,7 @@ let _e16443 = f32(_e16442);
 let _e16447 = ((_e16425 - (_e16443 * 0.6933594f)) - (_e16443 * -2.1219444e-4f));
 let _e16467 = ((1f + (_e16447 * (1f + (_e16447 * (0.5f + (_e16447 * (0.16666667f + (_e16447 * (0.041666668f + (_e16447 * (0.008333334f + (_e16447 * (0.001388889f + (_e16447 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16442 + 127i)) << bitcast<u32>(23i))));
 let _e16468 = (1f - _e16467);
-phi_38195_ = type_43(_e16467, _e16468, vec3<f32>(1f, 1f, 1f), (_e16208.member_2 * (_e16468 / select(1e-12f, _e16208.member, (_e16208.member > 1e-12f)))));
+phi_38200_ = type_43(_e16467, _e16468, vec3<f32>(1f, 1f, 1f), (_e16208.member_2 * (_e16468 / select(1e-12f, _e16208.member, (_e16208.member > 1e-12f)))));
 } else {
 let _e16210 = (_e13393 * select(0f, _e15458, (_e15458 > 0f)));
 let _e16214 = -((_e16208.member_1.x * _e16210));
@@ -5720,9 +5720,9 @@ let _e16386 = f32(_e16385);
 let _e16390 = ((_e16368 - (_e16386 * 0.6933594f)) - (_e16386 * -2.1219444e-4f));
 let _e16410 = ((1f + (_e16390 * (1f + (_e16390 * (0.5f + (_e16390 * (0.16666667f + (_e16390 * (0.041666668f + (_e16390 * (0.008333334f + (_e16390 * (0.001388889f + (_e16390 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16385 + 127i)) << bitcast<u32>(23i))));
 let _e16411 = (1f - _e16410);
-phi_38195_ = type_43(_e16410, _e16411, vec3<f32>(((1f + (_e16240 * (1f + (_e16240 * (0.5f + (_e16240 * (0.16666667f + (_e16240 * (0.041666668f + (_e16240 * (0.008333334f + (_e16240 * (0.001388889f + (_e16240 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16235 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16290 * (1f + (_e16290 * (0.5f + (_e16290 * (0.16666667f + (_e16290 * (0.041666668f + (_e16290 * (0.008333334f + (_e16290 * (0.001388889f + (_e16290 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16285 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16340 * (1f + (_e16340 * (0.5f + (_e16340 * (0.16666667f + (_e16340 * (0.041666668f + (_e16340 * (0.008333334f + (_e16340 * (0.001388889f + (_e16340 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16335 + 127i)) << bitcast<u32>(23i))))), (_e16208.member_2 * (_e16411 / select(1e-12f, _e16208.member, (_e16208.member > 1e-12f)))));
+phi_38200_ = type_43(_e16410, _e16411, vec3<f32>(((1f + (_e16240 * (1f + (_e16240 * (0.5f + (_e16240 * (0.16666667f + (_e16240 * (0.041666668f + (_e16240 * (0.008333334f + (_e16240 * (0.001388889f + (_e16240 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16235 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16290 * (1f + (_e16290 * (0.5f + (_e16290 * (0.16666667f + (_e16290 * (0.041666668f + (_e16290 * (0.008333334f + (_e16290 * (0.001388889f + (_e16290 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16285 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16340 * (1f + (_e16340 * (0.5f + (_e16340 * (0.16666667f + (_e16340 * (0.041666668f + (_e16340 * (0.008333334f + (_e16340 * (0.001388889f + (_e16340 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16335 + 127i)) << bitcast<u32>(23i))))), (_e16208.member_2 * (_e16411 / select(1e-12f, _e16208.member, (_e16208.member > 1e-12f)))));
 }
-let _e16476 = phi_38195_;
+let _e16476 = phi_38200_;
 let _e16482 = (_e14789.member * _e16476.member);
 let _e16496 = (((_e12897 * _e12897) + (_e12899 * _e12899)) + (_e12901 * _e12901));
 let _e16499 = sqrt(select(0f, _e16496, (_e16496 > 0f)));
@@ -5733,7 +5733,7 @@ let _e16516 = (_e5606.member.x + (_e13055 - _e12905));
 let _e16517 = (_e5606.member.y + (_e13056 - _e12906));
 let _e16518 = (_e5606.member.z + (_e13057 - _e12907));
 if _e4471 {
-phi_38809_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_38814_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e16522 = global_1.member.member_16.member;
 let _e16533 = ((((_e16522.member.member * _e16516) + (_e16522.member.member_1 * _e16517)) + (_e16522.member.member_2 * _e16518)) + _e16522.member_1);
@@ -5807,9 +5807,9 @@ let _e16740 = global_1.member.member_19.member_1;
 let _e16741 = (_e16740 != 0u);
 let _e16746 = select(0f, _e16734, _e16741);
 let _e16747 = select(1f, _e16736, _e16741);
-phi_38809_ = type_38(type_35(select(_e16734, _e16684, (_e16684 > _e16734)), select(_e16736, _e16686, (_e16686 < _e16736))), type_35(select(_e16746, _e16690, (_e16690 > _e16746)), select(_e16747, _e16692, (_e16692 < _e16747))), ((((1f * select(1f, 0f, (_e16564 && _e16555))) * select(1f, 0f, (_e16623 && _e16614))) * select(1f, 0f, (_e16682 && _e16673))) * select(1f, 0f, (_e16741 && _e16732))));
+phi_38814_ = type_38(type_35(select(_e16734, _e16684, (_e16684 > _e16734)), select(_e16736, _e16686, (_e16686 < _e16736))), type_35(select(_e16746, _e16690, (_e16690 > _e16746)), select(_e16747, _e16692, (_e16692 < _e16747))), ((((1f * select(1f, 0f, (_e16564 && _e16555))) * select(1f, 0f, (_e16623 && _e16614))) * select(1f, 0f, (_e16682 && _e16673))) * select(1f, 0f, (_e16741 && _e16732))));
 }
-let _e16759 = phi_38809_;
+let _e16759 = phi_38814_;
 let _e16765 = ((((_e586.member.member * _e16516) + (_e586.member.member_1 * _e16517)) + (_e586.member.member_2 * _e16518)) + _e586.member_1);
 let _e16771 = ((((_e601.member.member * _e16516) + (_e601.member.member_1 * _e16517)) + (_e601.member.member_2 * _e16518)) + _e601.member_1);
 let _e16777 = ((((_e616.member.member * _e16516) + (_e616.member.member_1 * _e16517)) + (_e616.member.member_2 * _e16518)) + _e616.member_1);
@@ -5916,11 +5916,11 @@ let _e17125 = global_1.member.member_12.member_14.member_1;
 let _e17126 = bitcast<i32>(_e17125);
 let _e17131 = global_1.member.member_12.member_14.member_2;
 if ((((((_e17112 >= 0i) && (_e17112 < _e17120)) && (_e17114 >= 0i)) && (_e17114 < _e17126)) && (_e17110 >= 0i)) && (_e17110 < bitcast<i32>(_e17131))) {
-phi_39516_ = (((((_e17110 * _e17126) + _e17114) * _e17120) + _e17112) * 3i);
+phi_39521_ = (((((_e17110 * _e17126) + _e17114) * _e17120) + _e17112) * 3i);
 } else {
-phi_39516_ = -1i;
+phi_39521_ = -1i;
 }
-let _e17150 = phi_39516_;
+let _e17150 = phi_39521_;
 let _e17151 = (_e17150 + 1i);
 let _e17153 = (bitcast<i32>(_e277) - 1i);
 let _e17155 = select(_e17153, _e17151, (_e17151 < _e17153));
@@ -5969,7 +5969,7 @@ let _e17272 = select(_e17153, _e17270, (_e17270 < _e17153));
 let _e17277 = global_4.member[bitcast<u32>(select(0i, _e17272, (_e17272 > 0i)))];
 let _e17288 = select(1f, (_e17239 + (((_e17260 + (((_e17269 + ((bitcast<f32>(_e17277) - _e17269) * _e17190)) - _e17260) * _e17192)) - _e17239) * _e17194)), _e17195);
 if _e13773 {
-phi_40093_ = vec3(_e17288);
+phi_40098_ = vec3(_e17288);
 } else {
 let _e17293 = global_1.member.member_12.member_12;
 let _e17294 = (_e17293 > 1u);
@@ -6035,9 +6035,9 @@ let _e17467 = bitcast<f32>(_e17466);
 let _e17468 = (_e17438 + 10i);
 let _e17470 = select(_e17153, _e17468, (_e17468 < _e17153));
 let _e17475 = global_4.member[bitcast<u32>(select(0i, _e17470, (_e17470 > 0i)))];
-phi_40093_ = vec3<f32>(_e17288, select(1f, (_e17342 + (((_e17363 + (((_e17372 + ((bitcast<f32>(_e17380) - _e17372) * _e17190)) - _e17363) * _e17192)) - _e17342) * _e17194)), _e17195), select(1f, (_e17437 + (((_e17458 + (((_e17467 + ((bitcast<f32>(_e17475) - _e17467) * _e17190)) - _e17458) * _e17192)) - _e17437) * _e17194)), _e17195));
+phi_40098_ = vec3<f32>(_e17288, select(1f, (_e17342 + (((_e17363 + (((_e17372 + ((bitcast<f32>(_e17380) - _e17372) * _e17190)) - _e17363) * _e17192)) - _e17342) * _e17194)), _e17195), select(1f, (_e17437 + (((_e17458 + (((_e17467 + ((bitcast<f32>(_e17475) - _e17467) * _e17190)) - _e17458) * _e17192)) - _e17437) * _e17194)), _e17195));
 }
-let _e17489 = phi_40093_;
+let _e17489 = phi_40098_;
 let _e17490 = (_e17013 - _e12989.member);
 let _e17491 = (_e17019 - _e12989.member_1);
 let _e17492 = (_e17025 - _e12989.member_2);
@@ -6105,13 +6105,13 @@ let _e17758 = (_e17507 + select(0f, ((_e17628 + (((_e17684 + (((_e17701 + ((f32(
 let _e17761 = (_e17508 + select(0f, ((_e17631 + (((_e17687 + (((_e17712 + ((select(_e17732, -(_e17732), ((_e17722 >> bitcast<u32>(31i)) != 0u)) - _e17712) * _e17190)) - _e17687) * _e17192)) - _e17631) * _e17194)) * 6.151953e-5f), _e17195));
 let _e17765 = (1f - ((_e17758 * _e17758) + (_e17761 * _e17761)));
 let _e17767 = select(1e-4f, _e17765, (_e17765 > 1e-4f));
-phi_40500_ = vec3<f32>(_e17758, _e17761, sqrt(select(0f, _e17767, (_e17767 > 0f))));
+phi_40505_ = vec3<f32>(_e17758, _e17761, sqrt(select(0f, _e17767, (_e17767 > 0f))));
 } else {
-phi_40500_ = vec3<f32>(_e17507, _e17508, select(1f, (_e17492 * _e17503), _e12964));
+phi_40505_ = vec3<f32>(_e17507, _e17508, select(1f, (_e17492 * _e17503), _e12964));
 }
-let _e17773 = phi_40500_;
+let _e17773 = phi_40505_;
 if _e5371 {
-phi_40594_ = 1f;
+phi_40599_ = 1f;
 } else {
 let _e17779 = global_1.member.member_12.member_20.member;
 let _e17787 = (((_e17779.member * _e17490) + (_e17779.member_1 * _e17491)) + (_e17779.member_2 * _e17492));
@@ -6124,16 +6124,16 @@ let _e17815 = global_1.member.member_12.member_20.member_2;
 let _e17816 = ((_e17809 - (sqrt(select(0f, _e17798, (_e17798 > 0f))) / select(1e-20f, _e17787, (_e17787 > 1e-20f)))) * _e17815);
 let _e17818 = select(0f, _e17816, (_e17816 > 0f));
 let _e17820 = select(1f, _e17818, (_e17818 < 1f));
-phi_40594_ = select(1f, select(0f, ((_e17820 * _e17820) * (3f - (2f * _e17820))), (_e17787 > 0f)), (_e17815 > 0f));
+phi_40599_ = select(1f, select(0f, ((_e17820 * _e17820) * (3f - (2f * _e17820))), (_e17787 > 0f)), (_e17815 > 0f));
 }
-let _e17830 = phi_40594_;
+let _e17830 = phi_40599_;
 let _e17835 = global_1.member.member_11.member_1;
 if _e5371 {
-phi_40636_ = 1f;
+phi_40641_ = 1f;
 } else {
-phi_40636_ = (1f / select(1e-12f, _e17497, (_e17497 > 1e-12f)));
+phi_40641_ = (1f / select(1e-12f, _e17497, (_e17497 > 1e-12f)));
 }
-let _e17849 = phi_40636_;
+let _e17849 = phi_40641_;
 let _e17850 = (_e17849 * select(_e17830, 1f, (_e681 && _e17195)));
 let _e17862 = ((_e13017.member * _e17773.x) + (_e13028.member * _e17773.y));
 let _e17863 = ((_e13017.member_1 * _e17773.x) + (_e13028.member_1 * _e17773.y));
@@ -6154,7 +6154,7 @@ let _e17886 = select(_e11146, _e17884, (_e17884 < _e11146));
 let _e17888 = select(_e11180, _e13652, (_e13652 > _e11180));
 let _e17890 = select(_e11185, _e17888, (_e17888 < _e11185));
 if _e13089 {
-phi_40867_ = vec3<f32>(_e17882, _e17886, _e17890);
+phi_40872_ = vec3<f32>(_e17882, _e17886, _e17890);
 } else {
 let _e17892 = (_e17882 + 0.5f);
 let _e17893 = (_e5669 - 1f);
@@ -6171,9 +6171,9 @@ let _e17929 = (_e5679 - 1f);
 let _e17931 = select(0f, _e17928, (_e17928 > 0f));
 let _e17933 = select(_e17929, _e17931, (_e17931 < _e17929));
 let _e17940 = select(0i, select(select(i32(_e17933), i32(-2147483648), (_e17933 < -2147483600f)), 2147483647i, (_e17933 > 2147483500f)), (_e17933 == _e17933));
-phi_40867_ = vec3<f32>(f32((_e17904 - select(0i, 1i, (_e17897 < f32(_e17904))))), f32((_e17922 - select(0i, 1i, (_e17915 < f32(_e17922))))), f32((_e17940 - select(0i, 1i, (_e17933 < f32(_e17940))))));
+phi_40872_ = vec3<f32>(f32((_e17904 - select(0i, 1i, (_e17897 < f32(_e17904))))), f32((_e17922 - select(0i, 1i, (_e17915 < f32(_e17922))))), f32((_e17940 - select(0i, 1i, (_e17933 < f32(_e17940))))));
 }
-let _e17948 = phi_40867_;
+let _e17948 = phi_40872_;
 let _e17951 = select(-1f, _e17948.x, (_e17948.x > -1f));
 let _e17953 = select(_e5669, _e17951, (_e17951 < _e5669));
 let _e17960 = select(0i, select(select(i32(_e17953), i32(-2147483648), (_e17953 < -2147483600f)), 2147483647i, (_e17953 > 2147483500f)), (_e17953 == _e17953));
@@ -6483,11 +6483,11 @@ let _e18778 = select(0i, select(select(i32(_e18771), i32(-2147483648), (_e18771 
 let _e18782 = (_e18778 - select(0i, 1i, (_e18771 < f32(_e18778))));
 let _e18783 = f32(_e18782);
 let _e18787 = ((_e18765 - (_e18783 * 0.6933594f)) - (_e18783 * -2.1219444e-4f));
-phi_42366_ = (select(((_e18759 - ((1f + (_e18787 * (1f + (_e18787 * (0.5f + (_e18787 * (0.16666667f + (_e18787 * (0.041666668f + (_e18787 * (0.008333334f + (_e18787 * (0.001388889f + (_e18787 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18782 + 127i)) << bitcast<u32>(23i))))) / select(_e18708, 1f, _e18712)), (_e18759 * (1f - (0.5f * _e18708))), _e18712) * (_e12852 / _e16955));
+phi_42371_ = (select(((_e18759 - ((1f + (_e18787 * (1f + (_e18787 * (0.5f + (_e18787 * (0.16666667f + (_e18787 * (0.041666668f + (_e18787 * (0.008333334f + (_e18787 * (0.001388889f + (_e18787 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18782 + 127i)) << bitcast<u32>(23i))))) / select(_e18708, 1f, _e18712)), (_e18759 * (1f - (0.5f * _e18708))), _e18712) * (_e12852 / _e16955));
 } else {
-phi_42366_ = _e17877;
+phi_42371_ = _e17877;
 }
-let _e18818 = phi_42366_;
+let _e18818 = phi_42371_;
 let _e18820 = select(_e10200.member, _e11078, (_e11078 < _e10200.member));
 let _e18822 = select(_e10200.member, _e11078, (_e11078 > _e10200.member));
 let _e18825 = (_e15102 + ((_e13392 - _e15102) * 0f));
@@ -6524,14 +6524,14 @@ let _e18954 = (_e13392 + ((_e18951 - _e13392) * 0f));
 let _e19004 = (263219i + ((((((select(0i, 1i, (_e18954 >= _e18833)) + select(0i, 1i, (_e18954 >= _e18843))) + (select(0i, 1i, (_e18954 >= _e18854)) + select(0i, 1i, (_e18954 >= _e18864)))) + ((select(0i, 1i, (_e18954 >= _e18876)) + select(0i, 1i, (_e18954 >= _e18886))) + (select(0i, 1i, (_e18954 >= _e18897)) + select(0i, 1i, (_e18954 >= _e18907))))) * 9i) + (((select(0i, 1i, (_e18951 >= _e18833)) + select(0i, 1i, (_e18951 >= _e18843))) + (select(0i, 1i, (_e18951 >= _e18854)) + select(0i, 1i, (_e18951 >= _e18864)))) + ((select(0i, 1i, (_e18951 >= _e18876)) + select(0i, 1i, (_e18951 >= _e18886))) + (select(0i, 1i, (_e18951 >= _e18897)) + select(0i, 1i, (_e18951 >= _e18907)))))) * 6i));
 let _e19006 = select(_e10807, _e19004, (_e19004 < _e10807));
 let _e19011 = global_3.member[bitcast<u32>(select(0i, _e19006, (_e19006 > 0i)))];
-phi_43165_ = (select(_e17877, _e18818, _e12986) * select((bitcast<f32>(_e18946) * bitcast<f32>(_e19011)), 1f, (select(_e15449, _e13758, (_e13758 < _e15449)) < 1f)));
+phi_43170_ = (select(_e17877, _e18818, _e12986) * select((bitcast<f32>(_e18946) * bitcast<f32>(_e19011)), 1f, (select(_e15449, _e13758, (_e13758 < _e15449)) < 1f)));
 } else {
-phi_43165_ = _e17877;
+phi_43170_ = _e17877;
 }
-let _e19021 = phi_43165_;
-phi_43175_ = type_40(vec3<f32>((((_e17489.x * _e17835.member) * _e17850) * ((_e14789.member_2.x * _e16476.member_2.x) * _e19021)), (((_e17489.y * _e17835.member_1) * _e17850) * ((_e14789.member_2.y * _e16476.member_2.y) * _e19021)), (((_e17489.z * _e17835.member_2) * _e17850) * ((_e14789.member_2.z * _e16476.member_2.z) * _e19021))), (vec3<f32>(_e17862, _e17863, _e17864) + vec3<f32>(_e17866, _e17867, _e17868)));
+let _e19021 = phi_43170_;
+phi_43180_ = type_40(vec3<f32>((((_e17489.x * _e17835.member) * _e17850) * ((_e14789.member_2.x * _e16476.member_2.x) * _e19021)), (((_e17489.y * _e17835.member_1) * _e17850) * ((_e14789.member_2.y * _e16476.member_2.y) * _e19021)), (((_e17489.z * _e17835.member_2) * _e17850) * ((_e14789.member_2.z * _e16476.member_2.z) * _e19021))), (vec3<f32>(_e17862, _e17863, _e17864) + vec3<f32>(_e17866, _e17867, _e17868)));
 }
-let _e19031 = phi_43175_;
+let _e19031 = phi_43180_;
 let _e19040 = (((_e19031.member_1.x * _e19031.member_1.x) + (_e19031.member_1.y * _e19031.member_1.y)) + (_e19031.member_1.z * _e19031.member_1.z));
 let _e19043 = sqrt(select(0f, _e19040, (_e19040 > 0f)));
 let _e19045 = ((_e4469 & 8u) != 0u);
@@ -6544,19 +6544,19 @@ let _e19084 = sqrt(select(0f, _e19081, (_e19081 > 0f)));
 let _e19090 = (_e19084 * _e19043);
 let _e19093 = ((((_e10200.member_2.x * _e19031.member_1.x) + (_e10200.member_2.y * _e19031.member_1.y)) + (_e10200.member_2.z * _e19031.member_1.z)) / select(1e-20f, _e19090, (_e19090 > 1e-20f)));
 if ((((_e10200.member_2.x * _e5606.member_1.x) + (_e10200.member_2.y * _e5606.member_1.y)) + (_e10200.member_2.z * _e5606.member_1.z)) > 0f) {
-phi_43307_ = _e19093;
+phi_43312_ = _e19093;
 } else {
-phi_43307_ = -(_e19093);
+phi_43312_ = -(_e19093);
 }
-let _e19102 = phi_43307_;
+let _e19102 = phi_43312_;
 let _e19110 = ((_e19084 / _e5698) * (1f / 0.015625f));
 let _e19112 = select(0f, _e19110, (_e19110 > 0f));
 let _e19114 = select(1f, _e19112, (_e19112 < 1f));
-phi_43350_ = (1f + ((((_e19102 + bitcast<f32>((bitcast<u32>(_e19102) & 2147483647u))) * 0.5f) - 1f) * select(_e12793, _e19114, (_e19114 > _e12793))));
+phi_43355_ = (1f + ((((_e19102 + bitcast<f32>((bitcast<u32>(_e19102) & 2147483647u))) * 0.5f) - 1f) * select(_e12793, _e19114, (_e19114 > _e12793))));
 } else {
-phi_43350_ = 1f;
+phi_43355_ = 1f;
 }
-let _e19121 = phi_43350_;
+let _e19121 = phi_43355_;
 let _e19128 = global_1.member.member_20.member;
 let _e19135 = (1f - _e5606.member_6);
 let _e19153 = (_e5606.member_5.x + (((_e5606.member_7.x * _e19061) * ((_e12789.member_3.x * (((_e19031.member.x * _e19053) * _e19121) + _e19128.member)) + 0f)) * _e19135));
@@ -6644,12 +6644,12 @@ let _e19555 = select(0f, _e19553, (_e19553 > 0f));
 let _e19557 = select(1f, _e19555, (_e19555 < 1f));
 if _e6457 {
 let _e19567 = global_1.member.member_12.member_18.member_4;
-phi_43798_ = _e19567;
+phi_43803_ = _e19567;
 } else {
 let _e19562 = global_1.member.member_12.member_18.member_3;
-phi_43798_ = _e19562;
+phi_43803_ = _e19562;
 }
-let _e19569 = phi_43798_;
+let _e19569 = phi_43803_;
 let _e19573 = ((bitcast<i32>(_e19569) + (_e19545 * _e19398)) + _e19528);
 let _e19574 = (_e19398 * _e19405);
 let _e19576 = (bitcast<i32>(_e277) - 1i);
@@ -6701,10 +6701,10 @@ let _e19710 = select(_e19576, _e19708, (_e19708 < _e19576));
 let _e19716 = global_4.member[bitcast<u32>(select(0i, _e19710, (_e19710 > 0i)))];
 let _e19723 = (_e19697 + (((_e19707 + ((bitcast<f32>(_e19716) - _e19707) * _e19551)) - _e19697) * _e19557));
 if _e5371 {
-phi_44166_ = vec3<f32>(_e19624, _e19673, _e19723);
+phi_44171_ = vec3<f32>(_e19624, _e19673, _e19723);
 } else {
 if _e5371 {
-phi_44134_ = 1f;
+phi_44139_ = 1f;
 } else {
 let _e19729 = global_1.member.member_12.member_20.member;
 let _e19737 = (((_e19729.member * _e19238) + (_e19729.member_1 * _e19239)) + (_e19729.member_2 * _e19240));
@@ -6717,39 +6717,39 @@ let _e19765 = global_1.member.member_12.member_20.member_2;
 let _e19766 = ((_e19759 - (sqrt(select(0f, _e19748, (_e19748 > 0f))) / select(1e-20f, _e19737, (_e19737 > 1e-20f)))) * _e19765);
 let _e19768 = select(0f, _e19766, (_e19766 > 0f));
 let _e19770 = select(1f, _e19768, (_e19768 < 1f));
-phi_44134_ = select(1f, select(0f, ((_e19770 * _e19770) * (3f - (2f * _e19770))), (_e19737 > 0f)), (_e19765 > 0f));
+phi_44139_ = select(1f, select(0f, ((_e19770 * _e19770) * (3f - (2f * _e19770))), (_e19737 > 0f)), (_e19765 > 0f));
 }
-let _e19780 = phi_44134_;
+let _e19780 = phi_44139_;
 let _e19782 = select(0f, 1f, (_e19240 > 0f));
 let _e19786 = ((_e19624 * _e19782) + _e19780);
 let _e19787 = ((_e19673 * _e19782) + _e19780);
 let _e19788 = ((_e19723 * _e19782) + _e19780);
-phi_44166_ = vec3<f32>(select(0f, _e19786, (_e19786 > 0f)), select(0f, _e19787, (_e19787 > 0f)), select(0f, _e19788, (_e19788 > 0f)));
+phi_44171_ = vec3<f32>(select(0f, _e19786, (_e19786 > 0f)), select(0f, _e19787, (_e19787 > 0f)), select(0f, _e19788, (_e19788 > 0f)));
 }
-let _e19797 = phi_44166_;
+let _e19797 = phi_44171_;
 if _e5371 {
-phi_44192_ = 1f;
+phi_44197_ = 1f;
 } else {
-phi_44192_ = (1f / select(1e-12f, _e19245, (_e19245 > 1e-12f)));
+phi_44197_ = (1f / select(1e-12f, _e19245, (_e19245 > 1e-12f)));
 }
-let _e19802 = phi_44192_;
+let _e19802 = phi_44197_;
 let _e19812 = global_1.member.member_11.member_1;
-phi_44460_ = type_40(vec3<f32>((_e19812.member * (_e19797.x * _e19802)), (_e19812.member_1 * (_e19797.y * _e19802)), (_e19812.member_2 * (_e19797.z * _e19802))), _e19296);
+phi_44465_ = type_40(vec3<f32>((_e19812.member * (_e19797.x * _e19802)), (_e19812.member_1 * (_e19797.y * _e19802)), (_e19812.member_2 * (_e19797.z * _e19802))), _e19296);
 } else {
 if _e5371 {
 let _e19376 = global_1.member.member_11.member_1;
 let _e19384 = global_1.member.member_11.member;
-phi_44459_ = type_40(vec3<f32>(_e19376.member, _e19376.member_1, _e19376.member_2), vec3<f32>(_e19384.member, _e19384.member_1, _e19384.member_2));
+phi_44464_ = type_40(vec3<f32>(_e19376.member, _e19376.member_1, _e19376.member_2), vec3<f32>(_e19384.member, _e19384.member_1, _e19384.member_2));
 } else {
 let _e19302 = global_1.member.member_11.member_1;
 if _e5371 {
-phi_44303_ = 1f;
+phi_44308_ = 1f;
 } else {
-phi_44303_ = (1f / select(1e-12f, _e19245, (_e19245 > 1e-12f)));
+phi_44308_ = (1f / select(1e-12f, _e19245, (_e19245 > 1e-12f)));
 }
-let _e19310 = phi_44303_;
+let _e19310 = phi_44308_;
 if _e5371 {
-phi_44387_ = 1f;
+phi_44392_ = 1f;
 } else {
 let _e19315 = global_1.member.member_12.member_20.member;
 let _e19323 = (((_e19315.member * _e19238) + (_e19315.member_1 * _e19239)) + (_e19315.member_2 * _e19240));
@@ -6762,16 +6762,16 @@ let _e19351 = global_1.member.member_12.member_20.member_2;
 let _e19352 = ((_e19345 - (sqrt(select(0f, _e19334, (_e19334 > 0f))) / select(1e-20f, _e19323, (_e19323 > 1e-20f)))) * _e19351);
 let _e19354 = select(0f, _e19352, (_e19352 > 0f));
 let _e19356 = select(1f, _e19354, (_e19354 < 1f));
-phi_44387_ = select(1f, select(0f, ((_e19356 * _e19356) * (3f - (2f * _e19356))), (_e19323 > 0f)), (_e19351 > 0f));
+phi_44392_ = select(1f, select(0f, ((_e19356 * _e19356) * (3f - (2f * _e19356))), (_e19323 > 0f)), (_e19351 > 0f));
 }
-let _e19366 = phi_44387_;
+let _e19366 = phi_44392_;
 let _e19367 = (_e19310 * _e19366);
-phi_44459_ = type_40(vec3<f32>((_e19302.member * _e19367), (_e19302.member_1 * _e19367), (_e19302.member_2 * _e19367)), _e19296);
+phi_44464_ = type_40(vec3<f32>((_e19302.member * _e19367), (_e19302.member_1 * _e19367), (_e19302.member_2 * _e19367)), _e19296);
 }
-let _e19391 = phi_44459_;
-phi_44460_ = _e19391;
+let _e19391 = phi_44464_;
+phi_44465_ = _e19391;
 }
-let _e19822 = phi_44460_;
+let _e19822 = phi_44465_;
 let _e19826 = global_1.member.member_23.member_4;
 let _e19834 = (((_e19826.member * _e6486) + (_e19826.member_1 * _e6487)) + (_e19826.member_2 * _e6488));
 let _e19838 = global_1.member.member_23.member_5;
@@ -6805,33 +6805,33 @@ let _e20027 = bitcast<f32>((bitcast<u32>(select(0f, _e20022, (_e20022 > 0f))) & 
 let _e20040 = (1f - _e19160);
 let _e20054 = select(_e19160, 1f, _e6498);
 let _e20059 = select(_e19165, _e19163, (_e19163 > _e19165));
-phi_44788_ = type_34(vec3<f32>(select(_e6393, _e19182, _e6498), select(_e6394, _e19183, _e6498), select(_e6395, _e19184, _e6498)), vec3<f32>(select((_e10448 + (_e10200.member_4.x * _e11056)), select((_e10448 + (_e11019 * _e11038)), _e10448, _e11039), _e6377), select((_e10449 + (_e10200.member_4.y * _e11056)), select((_e10449 + (_e11020 * _e11038)), _e10449, _e11039), _e6377), select((_e10450 + (_e10200.member_4.z * _e11056)), select((_e10450 + (_e11021 * _e11038)), _e10450, _e11039), _e6377)), _e10200.member, select(4f, 1f, (_e6498 || (((1f - _e20054) * select(_e19167, _e20059, (_e20059 > _e19167))) < 9.765625e-4f))), select(_e19178, (_e19178 + (_e20040 * _e19184)), _e6498), vec3<f32>(select(_e19153, (_e19153 + ((_e19163 * ((select(_e6479.member, _e6468.member, _e6457) * (((_e19822.member.x * _e20007) * _e20027) + select(0f, _e19979, (_e19979 > 0f)))) * _e19061)) * _e20040)), _e6498), select(_e19155, (_e19155 + ((_e19165 * ((select(_e6479.member_1, _e6468.member_1, _e6457) * (((_e19822.member.y * _e20007) * _e20027) + select(0f, _e19980, (_e19980 > 0f)))) * _e19061)) * _e20040)), _e6498), select(_e19157, (_e19157 + ((_e19167 * ((select(_e6479.member_2, _e6468.member_2, _e6457) * (((_e19822.member.z * _e20007) * _e20027) + select(0f, _e19981, (_e19981 > 0f)))) * _e19061)) * _e20040)), _e6498)), _e20054, (_e5606.member_7 * _e12789.member_2), select(0f, _e10200.member_3, (_e5619 != (_e6377 && !((_e11035 && (_e11004 != 0f)))))), -1.2676506e30f, _e5606.member_10, _e5606.member_11, _e5606.member_12);
-phi_44789_ = _e10441.member_2;
-phi_44791_ = _e10200;
+phi_44793_ = type_34(vec3<f32>(select(_e6393, _e19182, _e6498), select(_e6394, _e19183, _e6498), select(_e6395, _e19184, _e6498)), vec3<f32>(select((_e10448 + (_e10200.member_4.x * _e11056)), select((_e10448 + (_e11019 * _e11038)), _e10448, _e11039), _e6377), select((_e10449 + (_e10200.member_4.y * _e11056)), select((_e10449 + (_e11020 * _e11038)), _e10449, _e11039), _e6377), select((_e10450 + (_e10200.member_4.z * _e11056)), select((_e10450 + (_e11021 * _e11038)), _e10450, _e11039), _e6377)), _e10200.member, select(4f, 1f, (_e6498 || (((1f - _e20054) * select(_e19167, _e20059, (_e20059 > _e19167))) < 9.765625e-4f))), select(_e19178, (_e19178 + (_e20040 * _e19184)), _e6498), vec3<f32>(select(_e19153, (_e19153 + ((_e19163 * ((select(_e6479.member, _e6468.member, _e6457) * (((_e19822.member.x * _e20007) * _e20027) + select(0f, _e19979, (_e19979 > 0f)))) * _e19061)) * _e20040)), _e6498), select(_e19155, (_e19155 + ((_e19165 * ((select(_e6479.member_1, _e6468.member_1, _e6457) * (((_e19822.member.y * _e20007) * _e20027) + select(0f, _e19980, (_e19980 > 0f)))) * _e19061)) * _e20040)), _e6498), select(_e19157, (_e19157 + ((_e19167 * ((select(_e6479.member_2, _e6468.member_2, _e6457) * (((_e19822.member.z * _e20007) * _e20027) + select(0f, _e19981, (_e19981 > 0f)))) * _e19061)) * _e20040)), _e6498)), _e20054, (_e5606.member_7 * _e12789.member_2), select(0f, _e10200.member_3, (_e5619 != (_e6377 && !((_e11035 && (_e11004 != 0f)))))), -1.2676506e30f, _e5606.member_10, _e5606.member_11, _e5606.member_12);
+phi_44794_ = _e10441.member_2;
+phi_44796_ = _e10200;
 }
-let _e20090 = phi_44788_;
-let _e20092 = phi_44789_;
-let _e20094 = phi_44791_;
-phi_11744_ = _e20090;
-phi_11746_ = _e20092;
-phi_11750_ = _e20094;
-phi_11752_ = (_e5612 + 1i);
+let _e20090 = phi_44793_;
+let _e20092 = phi_44794_;
+let _e20094 = phi_44796_;
+phi_11747_ = _e20090;
+phi_11749_ = _e20092;
+phi_11753_ = _e20094;
+phi_11755_ = (_e5612 + 1i);
 } else {
-phi_11744_ = type_34();
-phi_11746_ = f32();
-phi_11750_ = type_37();
-phi_11752_ = i32();
+phi_11747_ = type_34();
+phi_11749_ = f32();
+phi_11753_ = type_37();
+phi_11755_ = i32();
 }
-let _e20096 = phi_11744_;
-let _e20098 = phi_11746_;
-let _e20100 = phi_11750_;
-let _e20102 = phi_11752_;
+let _e20096 = phi_11747_;
+let _e20098 = phi_11749_;
+let _e20100 = phi_11753_;
+let _e20102 = phi_11755_;
 continue;
 continuing {
-phi_11743_ = _e20096;
-phi_11745_ = _e20098;
-phi_11749_ = _e20100;
-phi_11751_ = _e20102;
+phi_11746_ = _e20096;
+phi_11748_ = _e20098;
+phi_11752_ = _e20100;
+phi_11754_ = _e20102;
 break if !(_e5616);
 }
 }
