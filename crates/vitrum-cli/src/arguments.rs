@@ -1,7 +1,8 @@
 //! The command line as a whole; each command's own arguments stand beside it.
 
 use crate::commands::{
-    completions, convert, devices, diff, info, keys, man, presets, render, scene, scenes, schema, turntable, view, voxelize,
+    completions, convert, devices, diff, info, keys, man, presets, render, scene, scenes, schema, turntable, view,
+    voxelize,
 };
 use crate::{examples, topics};
 use clap::{Parser, Subcommand};

@@ -232,9 +232,20 @@ fn manual_pages_are_there_for_every_command() {
         fs::read_dir(folder.file("pages/man1")).expect("a folder").map(|entry| entry.expect("an entry").file_name());
     let mut pages: Vec<_> = pages.map(|name| name.to_string_lossy().into_owned()).collect();
     pages.sort();
-    for command in
-        ["render", "turntable", "view", "info", "diff", "scene", "devices", "presets", "scenes", "schema", "completions", "man"]
-    {
+    for command in [
+        "render",
+        "turntable",
+        "view",
+        "info",
+        "diff",
+        "scene",
+        "devices",
+        "presets",
+        "scenes",
+        "schema",
+        "completions",
+        "man",
+    ] {
         assert!(pages.contains(&format!("vitrum-{command}.1")), "{command}: {pages:?}");
     }
     assert!(pages.contains(&"vitrum.1".to_owned()), "{pages:?}");

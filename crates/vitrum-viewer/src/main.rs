@@ -64,7 +64,10 @@ impl From<Backend> for Choice {
 fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once('x').unwrap_or((text, text));
     let edge = |text: &str| text.parse().ok().filter(|edge| (1..=16384).contains(edge));
-    edge(width).zip(edge(height)).map(|(width, height)| [width, height]).ok_or_else(|| "expected such as 512x512".to_owned())
+    edge(width)
+        .zip(edge(height))
+        .map(|(width, height)| [width, height])
+        .ok_or_else(|| "expected such as 512x512".to_owned())
 }
 
 impl Arguments {
