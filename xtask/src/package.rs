@@ -8,8 +8,14 @@ use crate::command::{self, cargo, run};
 use crate::failure::Failure;
 
 /// Packages of the workspace that are not published.
-const UNPUBLISHED: [&str; 5] =
-    ["vitrum-conformance", "vitrum-shader-compiler", "vitrum-shader-manifest", "vitrum-shader-translation", "xtask"];
+const UNPUBLISHED: [&str; 6] = [
+    "vitrum-conformance",
+    "vitrum-shader-compiler",
+    "vitrum-shader-manifest",
+    "vitrum-shader-translation",
+    "vitrum-viewer",
+    "xtask",
+];
 
 /// Packs the published crates, and compiles each package from its archive, with the other crates from theirs.
 ///

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use vitrum::Subject;
 use vitrum::io::{Volume, Voxels};
 use vitrum::scene::{ColorPoint, IorPoint, OpacityPoint, Scene};
@@ -97,6 +97,11 @@ fn rect(harness: &Harness<'_, State>, label: &str) -> Rect {
     harness.get_by_label(label).rect()
 }
 
+fn click_on(harness: &mut Harness<'_, State>, label: &str, button: PointerButton) {
+    let at = rect(harness, label).center();
+    click(harness, at, 1, button);
+}
+
 fn opacity(harness: &Harness<'_, State>) -> Vec<[f32; 2]> {
     harness.state().scene.transfer.opacity.iter().map(|point| [point.value, point.opacity]).collect()
 }
@@ -145,9 +150,9 @@ fn points_are_added_on_the_curve_and_by_a_double_click_and_removed() {
     let points = opacity(&harness);
     assert!(points.len() == 5 && points[0][1] > 0.7, "{points:?}");
     assert_eq!(harness.state().editor.selected, Some((Function::Opacity, 0)));
-    click(&mut harness, rect(&harness, "opacity point 1").center(), 1, PointerButton::Secondary);
+    click_on(&mut harness, "opacity point 1", PointerButton::Secondary);
     assert_eq!(opacity(&harness).len(), 4);
-    click(&mut harness, rect(&harness, "opacity point 3").center(), 1, PointerButton::Primary);
+    click_on(&mut harness, "opacity point 3", PointerButton::Primary);
     harness.key_press(Key::Delete);
     harness.run();
     assert_eq!(opacity(&harness), [[50.0, 0.0], [100.0, 0.5], [200.0, 0.8]]);
@@ -157,7 +162,7 @@ fn points_are_added_on_the_curve_and_by_a_double_click_and_removed() {
 #[test]
 fn arrow_keys_move_the_point_that_has_the_focus() {
     let mut harness = harness(Theme::Dark);
-    click(&mut harness, rect(&harness, "opacity point 2").center(), 1, PointerButton::Primary);
+    click_on(&mut harness, "opacity point 2", PointerButton::Primary);
     harness.key_press(Key::ArrowUp);
     harness.run();
     let [_, [value, height], _] = opacity(&harness)[..] else { panic!("three points") };
@@ -167,7 +172,7 @@ fn arrow_keys_move_the_point_that_has_the_focus() {
 #[test]
 fn numbers_are_typed_exactly() {
     let mut harness = harness(Theme::Dark);
-    click(&mut harness, rect(&harness, "index of refraction point 2").center(), 1, PointerButton::Primary);
+    click_on(&mut harness, "index of refraction point 2", PointerButton::Primary);
     for (label, text) in [("value of the point", "123.456"), ("index of refraction of the point", "1.333")] {
         harness.get_by_label(label).click();
         harness.run();
@@ -279,7 +284,7 @@ fn a_change_from_elsewhere_is_a_step_of_its_own() {
 fn the_editor_is_painted_in_both_themes() {
     for (theme, name) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
         let mut harness = harness(theme);
-        click(&mut harness, rect(&harness, "opacity point 2").center(), 1, PointerButton::Primary);
+        click_on(&mut harness, "opacity point 2", PointerButton::Primary);
         let picture = harness.render().expect("a device");
         let first = picture.get_pixel(0, 0);
         let others = picture.pixels().filter(|pixel| *pixel != first).count();
@@ -288,5 +293,4 @@ fn the_editor_is_painted_in_both_themes() {
             picture.save(std::path::Path::new(&folder).join(format!("editor-{name}.png"))).expect("it is writable");
         }
     }
-    let _ = harness(Theme::Dark).root().accesskit_node();
 }

@@ -9,7 +9,7 @@ pub fn cross(ui: &mut Ui, name: &str) -> Response {
 
 /// A button that gives the default back.
 pub fn reset(ui: &mut Ui, name: &str) -> Response {
-    sign(ui, "↺", name)
+    sign(ui, "reset", name)
 }
 
 /// A button that adds something.
