@@ -61,12 +61,7 @@ impl Pace {
     /// The next picture, of a whole one of `size`.
     #[must_use]
     pub fn rung(&self, size: [u32; 2]) -> Rung {
-        Rung {
-            size: self.size(size),
-            single_rays: true,
-            distance: self.distance(),
-            light_cells: self.light_cells(),
-        }
+        Rung { size: self.size(size), single_rays: true, distance: self.distance(), light_cells: self.light_cells() }
     }
 
     /// Takes the time into account that a picture of the size and distance that this named took, of a whole one of `size`.
