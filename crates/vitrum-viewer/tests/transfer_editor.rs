@@ -14,7 +14,7 @@ fn volume() -> Volume {
     let voxels = (0..SIZE.pow(3)).map(|index| {
         let at = [index % SIZE, index / SIZE % SIZE, index / (SIZE * SIZE)];
         let distance = at.iter().map(|&i| (i as f32 - 15.5) * (i as f32 - 15.5)).sum::<f32>().sqrt();
-        let noise = (index * 2_654_435_761_u32 >> 28) as u8;
+        let noise = (index.wrapping_mul(2_654_435_761) >> 28) as u8;
         noise
             + if distance < 6.0 {
                 200
