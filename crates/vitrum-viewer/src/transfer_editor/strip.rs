@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, editor: &mut TransferEditor, scene: &mut Scene, functio
     let spots = editor.shown_spots(scene, function);
     let painter = ui.painter().with_clip_rect(outer.intersect(ui.clip_rect()));
     paint_band(&painter, band, &spots, &value_at);
-    painter.rect_stroke(band, 0.0, ui.visuals().widgets.noninteractive.bg_stroke, StrokeKind::Outside);
+    painter.rect_stroke(band, 0.0, ui.visuals().widgets.noninteractive.bg_stroke, StrokeKind::Inside);
     name(&painter, band, &spots, function, &value_at);
     if let Some(pointer) = response.interact_pointer_pos()
         && response.double_clicked()

@@ -181,6 +181,18 @@ impl Viewer {
         self.pictures.standing()
     }
 
+    /// Whether a better picture of the scene is to come.
+    #[must_use]
+    pub fn is_waiting(&self) -> bool {
+        self.pictures.is_waiting()
+    }
+
+    /// The backend that the user has chosen.
+    #[must_use]
+    pub fn backend(&self) -> Choice {
+        self.backend
+    }
+
     /// Whether thumbnails are still to come.
     #[must_use]
     pub fn is_sketching(&self) -> bool {

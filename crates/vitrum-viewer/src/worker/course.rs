@@ -244,8 +244,13 @@ impl Course {
         let (scene, data) = match &sketch.subject {
             SketchSubject::Preset(name, scene, data) => (with_preset(name, scene, &data.assets)?.0, data.clone()),
             SketchSubject::BuiltIn(name) => {
+                let input = format!("builtin:{name}");
+                // Coarse volumes are made in no time, and nothing gives their making up.
+                let made = vitrum::composition::open(&input)?.scene.volume.builtin.is_some();
+                let settings = if made { vec!["volume.resolution=64".to_owned()] } else { Vec::new() };
                 let composition = Composition {
-                    input: format!("builtin:{name}"),
+                    input,
+                    settings,
                     quality: Some(Quality::Draft),
                     ..Composition::default()
                 };
