@@ -179,6 +179,9 @@ fn a_preset_is_chosen_on_the_right() {
 fn the_first_page_offers_built_in_scenes() {
     let mut window = window(None);
     window.step();
+    // It lies below the window's edge.
+    window.get_by_role_and_label(Role::Button, "ball").scroll_to_me();
+    window.run_steps(3);
     window.get_by_role_and_label(Role::Button, "ball").click();
     until(&mut window, "the ball's picture", is_complete);
     assert_eq!(viewer(&mut window).document().expect("it is open").input, "builtin:ball");

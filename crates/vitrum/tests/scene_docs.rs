@@ -83,6 +83,7 @@ fn range(shape: &Value, items: &Value) -> String {
         (None, None, None) => String::new(),
         (_, Some(most), Some(least)) => format!("above {}, to {}", words(Some(least)), words(Some(most))),
         (_, None, Some(least)) => format!("above {}", words(Some(least))),
+        (Some(least), None, None) => format!("{} or more", words(Some(least))),
         (least, most, None) => format!("{} to {}", words(least), words(most)),
     };
     match bounds(items) {

@@ -248,12 +248,8 @@ impl Course {
                 // Coarse volumes are made in no time, and nothing gives their making up.
                 let made = vitrum::composition::open(&input)?.scene.volume.builtin.is_some();
                 let settings = if made { vec!["volume.resolution=64".to_owned()] } else { Vec::new() };
-                let composition = Composition {
-                    input,
-                    settings,
-                    quality: Some(Quality::Draft),
-                    ..Composition::default()
-                };
+                let composition =
+                    Composition { input, settings, quality: Some(Quality::Draft), ..Composition::default() };
                 let Composed { scene, assets, .. } = composition.compose()?;
                 // Numbers of documents count upwards from 0.
                 (scene, Data { assets, number: u64::MAX })
