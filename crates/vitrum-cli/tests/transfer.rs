@@ -152,7 +152,7 @@ fn opacity_goes_by_gradients_too() {
     );
     let backwards = "transfer.gradient=[{values=[5,2]}]";
     folder.refuse(&["render", "ct.nrrd", "-o", "b.png", "--set", backwards], 2, &["transfer.gradient.0.values"]);
-    let beside = ["--set", "ior_volume.file=ct.nrrd", "--gradient-opacity", "0:1", "--backend", "cpu"];
+    let beside = ["--set", "ior_volume.file=ct.nrrd", "--gradient-opacity", "0:1", "--backend", "cpu", "-q"];
     folder.refuse(&[&["render", "ct.nrrd", "-o", "b.png"], &beside[..]].concat(), 3, &["comes from another volume"]);
 }
 

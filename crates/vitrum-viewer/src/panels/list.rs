@@ -55,10 +55,12 @@ mod tests {
 
     #[test]
     fn an_item_is_removed_and_the_others_stay_as_they_are() {
-        let mut scene = Scene::default();
-        scene.light = [1.3, 0.1, 7.7].map(|azimuth| Light { azimuth, ..Light::default() }).to_vec();
-        scene.isosurface = vec![Isosurface::new(0.1)];
-        scene.clip = vec![Clip::default()];
+        let mut scene = Scene {
+            light: [1.3, 0.1, 7.7].map(|azimuth| Light { azimuth, ..Light::default() }).to_vec(),
+            isosurface: vec![Isosurface::new(0.1)],
+            clip: vec![Clip::default()],
+            ..Scene::default()
+        };
         let table = values::table(&scene);
         for (list, index) in [("light", 1), ("isosurface", 0), ("clip", 0)] {
             let items = table[list].as_array().expect("a list");

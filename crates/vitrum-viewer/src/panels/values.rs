@@ -115,7 +115,7 @@ mod tests {
                 match &field.control {
                     Control::Section(inner) => check(inner, &path, &set(format!("{path}={first}"))),
                     Control::Sections { item, .. } => {
-                        check(item, &format!("{path}.0"), &set(format!("{path}=[{first}]")))
+                        check(item, &format!("{path}.0"), &set(format!("{path}=[{first}]")));
                     }
                     _ => drop(set(format!("{path}={first}"))),
                 }

@@ -256,8 +256,8 @@ mod tests {
 
     #[test]
     fn dispersion_stays_with_its_point() {
-        let mut transfer = TransferFunction::default();
-        transfer.ior = vec![IorPoint { abbe: Some(30.0), ..IorPoint::new(5.0, 1.5) }];
+        let ior = vec![IorPoint { abbe: Some(30.0), ..IorPoint::new(5.0, 1.5) }];
+        let mut transfer = TransferFunction { ior, ..TransferFunction::default() };
         Function::Ior.move_to(&mut transfer, 0, Spot { value: 6.0, level: [9.0, 0.0, 0.0] });
         Function::Ior.add(&mut transfer, Spot { value: 8.0, level: [1.2, 0.0, 0.0] });
         assert_eq!([transfer.ior[0].abbe, transfer.ior[1].abbe], [Some(30.0); 2]);

@@ -105,7 +105,7 @@ impl Viewer {
         }
         let rested = now - pictures.changed_at > REST || (!is_new && !held);
         let waits = pictures.sent.as_ref().is_some_and(|sent| sent.moving);
-        if !is_new && !(waits && rested) {
+        if !(is_new || waits && rested) {
             if waits {
                 context.request_repaint_after(Duration::from_secs_f64(REST));
             }

@@ -289,7 +289,7 @@ fn check_sorted(key: &str, name: &str, values: impl Iterator<Item = f32>) -> Res
             return Err(Fault::contradiction(
                 &format!("{key}.{index}.{name}"),
                 format!("{value} comes after {previous}"),
-                &format!("sort the points by `{name}`; two points at the same place make a step"),
+                format!("sort the points by `{name}`; two points at the same place make a step"),
             ));
         }
         previous = value;
