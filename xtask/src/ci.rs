@@ -4,7 +4,6 @@ use clap::ValueEnum;
 
 use crate::circles;
 use crate::command::{cargo, run as run_command, this_program};
-use crate::diff;
 use crate::failure::Failure;
 use crate::features;
 use crate::package;
@@ -14,7 +13,7 @@ use crate::steps::{Completion, Steps};
 use crate::test;
 use crate::wasm;
 
-/// Run every check: format, circles of files, lints, documentation, features, WebAssembly, tests, committed modules, backends against each other,
+/// Run every check: format, circles of files, lints, documentation, features, WebAssembly, tests, committed modules,
 /// packages, readers against independent ones.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -33,7 +32,6 @@ enum Step {
     Doc,
     Features,
     Wasm,
-    Diff,
     Package,
     Peers,
 }
@@ -49,7 +47,6 @@ impl Step {
             Self::Wasm => "wasm",
             Self::Test => "test",
             Self::Shaders => "shaders",
-            Self::Diff => "diff",
             Self::Package => "package",
             Self::Peers => "peers",
         }
@@ -72,7 +69,6 @@ impl Step {
             Self::Wasm => return wasm::check(),
             Self::Test => test::run(&test::Arguments::default()),
             Self::Shaders => shaders::check(),
-            Self::Diff => diff::run(&diff::Arguments::of_ci()),
             Self::Package => package::verify(),
             Self::Peers => return peers::compare(&peers::Arguments::default()),
         };

@@ -8,21 +8,13 @@ use crate::failure::Failure;
 use crate::shaders::COMPILER;
 use crate::vulkan;
 
-/// Compare the backends with each other and with the golden pictures; print a table.
-#[derive(clap::Args, Default)]
+/// Compare the backends with each other and with the golden pictures, on larger frames than the tests do; print a table.
+#[derive(clap::Args)]
 #[command(disable_help_flag = true)]
 pub struct Arguments {
     /// Passed on to the program; --help lists them.
     #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
     arguments: Vec<String>,
-}
-
-impl Arguments {
-    /// The comparison of `cargo xtask ci`: kernels as the driver takes them. Translated kernels are compared by a test, at sizes at which their
-    /// bounds hold (docs/conformance.md). T1 and T3 are tests themselves, with the same cases, sizes and bounds; T0 and T2 are larger here.
-    pub fn of_ci() -> Self {
-        Self { arguments: ["--shaders", "passed-through", "--tier", "t0", "--tier", "t2"].map(str::to_owned).into() }
-    }
 }
 
 /// Runs the `conformance` program.

@@ -206,8 +206,8 @@ lines! {
     SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.022, 0.03;
     SURFACE_FURNACE: "a clear ball swept in light of radiance 1 from all sides has radiance 1, n = 1.3", "48³ voxels, surface four voxels thick", RADIANCE, 0.0016, 0.003;
 
-    COLORS_OPACITY: COLORS, "32³ voxels of one colour, planes every 0.37, 1, 2.5 voxels, at 0°, 30°, 45°", "the opacity", 1.498e-5, 3.0e-5;
-    GRADIENT_OPACITY: COLORS, "32³ voxels whose scalar rises evenly; a gradient opacity of 128/255", "the opacity", 1.498e-5, 3.0e-5;
+    COLORS_OPACITY: COLORS, "32³ voxels of one colour, planes every 0.37, 1, 2.5 voxels, at 0°, 30°, 45°", "the opacity", 1.498e-5, 2.9e-5;
+    GRADIENT_OPACITY: COLORS, "32³ voxels whose scalar rises evenly; a gradient opacity of 128/255", "the opacity", 1.498e-5, 2.9e-5;
     COLORS_LIGHT: COLORS, "the light behind it, planes every ½ and 1 voxel", "the irradiance, relative", 2.322e-4, 4.6e-4;
     COLORS_COLOR: "the colour of a voxel, of bytes in sRGB", "188, 100, 30", "the linear colour", 1.571e-3, 3.1e-3;
 
