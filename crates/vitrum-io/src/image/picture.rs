@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn the_codes_of_a_screen_are_those_of_a_png() {
-        let picture = Picture::rgba(2, 1, vec![[0.0, 0.214_041, 7.0, 0.5], [1.0, -1.0, 0.5, 1.0]]);
+        let picture = Picture::rgba(2, 1, vec![[0.0, 0.215, 7.0, 0.5], [1.0, -1.0, 0.5, 1.0]]);
         assert_eq!(picture.to_srgb8(), [[0, 128, 255, 128], [255, 0, 188, 255]]);
         assert_eq!(Picture::gray(1, 1, vec![1.0]).to_srgb8(), [[255; 4]]);
     }
