@@ -10,7 +10,6 @@ use crate::samples::{Endian, SampleType, VoxelBuffer, read_up_to};
 use crate::setting::Setting;
 use crate::shared::Shared;
 use crate::source::{Assumption, Assumptions};
-use crate::stored::color_word;
 use crate::stream;
 use crate::text;
 
@@ -237,17 +236,9 @@ impl Components {
         u32::from_le_bytes(channels)
     }
 
-    /// The word of a voxel's colour.
-    fn color_of_bytes(&self, voxel: &[u8]) -> u32 {
-        let channels = voxel.chunks_exact(self.sample.size()).take(4).enumerate();
-        channels.fold(color_word(0, 0, 0, u8::MAX), |word, (index, bytes)| self.with_channel(word, index, bytes))
-    }
-
-    /// As [`Self::color_of_bytes`], of numbers.
-    fn color_of_numbers(&self, numbers: &[f64]) -> u32 {
-        let mut channels = [0, 0, 0, u8::MAX];
-        channels.iter_mut().zip(numbers).for_each(|(channel, &number)| *channel = self.channel(number));
-        u32::from_le_bytes(channels)
+    /// The word of the colour whose channels are these numbers; opaque without a fourth.
+    fn color(&self, number: impl Fn(usize) -> Option<f64>) -> u32 {
+        u32::from_le_bytes([0, 1, 2, 3].map(|index| number(index).map_or(u8::MAX, |number| self.channel(number))))
     }
 
     /// Bytes of a component.
@@ -279,7 +270,7 @@ impl Components {
             }
             voxels.append_float(self.made_of(|index| numbers.get(index).copied().unwrap_or(f64::NAN)));
             if let Some(colors) = &mut colors {
-                colors.push(self.color_of_numbers(&numbers));
+                colors.push(self.color(|index| numbers.get(index).copied()));
             }
         }
         voxels.colors = colors;
@@ -303,8 +294,17 @@ impl Components {
     }
 
     fn made_of_bytes(&self, voxel: &[u8]) -> f32 {
+        self.made_of(|index| self.sample_at(voxel, index).map_or(f64::NAN, |bytes| self.value(bytes)))
+    }
+
+    fn color_of_bytes(&self, voxel: &[u8]) -> u32 {
+        self.color(|index| Some(decoded(self.sample_at(voxel, index)?, self.sample, self.endian)))
+    }
+
+    /// The bytes of a voxel's component.
+    fn sample_at<'v>(&self, voxel: &'v [u8], index: usize) -> Option<&'v [u8]> {
         let size = self.sample.size();
-        self.made_of(|index| voxel.get(index * size..(index + 1) * size).map_or(f64::NAN, |bytes| self.value(bytes)))
+        voxel.get(index * size..(index + 1) * size)
     }
 
     fn value(&self, bytes: &[u8]) -> f64 {

@@ -7,7 +7,7 @@ use crate::error::{Error, Place, Report};
 use crate::memory;
 use crate::samples::read_up_to;
 use crate::shared::Shared;
-use crate::stored::{Stored, color_word};
+use crate::stored::{OPAQUE, Stored};
 use crate::stream;
 
 /// Reads one number for each of `count` voxels. In front of each plane are `before` bytes, and `between` behind it.
@@ -26,7 +26,7 @@ pub(crate) fn read(
     let mut colors: Option<Vec<u32>> =
         if components.are_colors() { Some(memory::reserve(report, Shared::<u32>::room(count))?) } else { None };
     if let Some(colors) = &mut colors {
-        colors.resize(count, color_word(0, 0, 0, u8::MAX));
+        colors.resize(count, OPAQUE);
     }
     let mut bytes = vec![0; CHUNK];
     for index in 0..components.needed() {

@@ -11,6 +11,9 @@ pub(crate) struct Stored {
     pub colors: Option<Shared<u32>>,
 }
 
+/// The word of black, opaque.
+pub(crate) const OPAQUE: u32 = 0xff00_0000;
+
 impl From<Voxels> for Stored {
     fn from(voxels: Voxels) -> Self {
         Self { voxels, colors: None }
@@ -29,7 +32,6 @@ where
 impl Stored {
     /// The voxels, all of them opaque where their colours say that none is seen at all: a fourth byte that nobody filled in.
     pub fn seen(mut self) -> Self {
-        const OPAQUE: u32 = 0xff00_0000;
         if let Some(colors) = &mut self.colors
             && colors.iter().all(|color| color & OPAQUE == 0)
         {
@@ -37,9 +39,4 @@ impl Stored {
         }
         self
     }
-}
-
-/// The word of a colour of three or four bytes, red in the lowest byte; without a fourth the voxel is as opaque as its scalar says.
-pub(crate) fn color_word(red: u8, green: u8, blue: u8, alpha: u8) -> u32 {
-    u32::from_le_bytes([red, green, blue, alpha])
 }

@@ -1,6 +1,6 @@
 //! The document: what is open in the window.
 
-use crate::history::History;
+use crate::scene_history::SceneHistory;
 use crate::transfer_editor::TransferEditor;
 use crate::trouble::Trouble;
 use crate::worker::Data;
@@ -26,7 +26,7 @@ pub struct Document {
     /// The scene as it was opened.
     pub home: Scene,
     /// What can be undone.
-    pub history: History,
+    pub history: SceneHistory,
     /// The editor of its transfer functions, until the window takes it: it takes a while to count voxels.
     pub editor: TransferEditor,
     /// What was taken for granted, for people to read.
@@ -63,7 +63,16 @@ impl Document {
         let data = Data { assets, number: next_number() };
         let editor = TransferEditor::new(&scene, &data.assets.subject);
         let input = input.to_owned();
-        Ok(Self { editor, input, composition, home: scene.clone(), history: History::new(&scene), scene, data, notes })
+        Ok(Self {
+            editor,
+            input,
+            composition,
+            home: scene.clone(),
+            history: SceneHistory::new(&scene),
+            scene,
+            data,
+            notes,
+        })
     }
 
     /// The box around what is shown.

@@ -1,71 +1,75 @@
-//! Undo and redo: a stack of whole scenes.
+//! Undo and redo by whole states.
 
-use vitrum::scene::Scene;
+/// The most states that are kept.
+const MOST: usize = 256;
 
-/// The most states that are kept; a scene takes a few kilobytes.
-const MOST: usize = 200;
-
-/// The states of a scene, before and after the present one.
+/// The states of something that is edited: those before the present one, and those that were taken back.
+///
+/// States that are recorded with the same gesture, such as all of one drag, make one step.
 #[derive(Debug, Clone)]
-pub struct History {
-    before: Vec<Scene>,
-    after: Vec<Scene>,
-    present: Scene,
+pub struct History<T> {
+    past: Vec<T>,
+    present: T,
+    future: Vec<T>,
+    gesture: Option<&'static str>,
 }
 
-impl History {
-    /// A history that begins with `scene`.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
-        Self { before: Vec::new(), after: Vec::new(), present: scene.clone() }
+impl<T: Clone + PartialEq> History<T> {
+    /// A history that begins now.
+    pub fn new(present: T) -> Self {
+        Self { past: Vec::new(), present, future: Vec::new(), gesture: None }
     }
 
-    /// Takes note of the scene as it is now, once a change is finished: a drag is one change. The size of the picture, which a window changes by itself, is
-    /// none.
-    pub fn note(&mut self, scene: &Scene) {
-        let (width, height) = (scene.film.width, scene.film.height);
-        (self.present.film.width, self.present.film.height) = (width, height);
-        if *scene == self.present {
+    /// The present state.
+    pub fn present(&self) -> &T {
+        &self.present
+    }
+
+    /// Records a new state. With the name of the gesture that the last state was recorded with, it takes that state's place.
+    pub fn record(&mut self, state: T, gesture: Option<&'static str>) {
+        if state == self.present {
             return;
         }
-        self.before.push(std::mem::replace(&mut self.present, scene.clone()));
-        self.after.clear();
-        if self.before.len() > MOST {
-            self.before.remove(0);
+        self.future.clear();
+        let before = std::mem::replace(&mut self.present, state);
+        if gesture.is_none() || gesture != self.gesture {
+            self.past.push(before);
+            if self.past.len() > MOST {
+                self.past.remove(0);
+            }
         }
+        self.gesture = gesture;
     }
 
-    /// Whether there is something to undo.
-    #[must_use]
+    /// Ends the gesture: what comes next is a step of its own.
+    pub fn end_gesture(&mut self) {
+        self.gesture = None;
+    }
+
+    /// Whether there is a step to take back.
     pub fn can_undo(&self) -> bool {
-        !self.before.is_empty()
+        !self.past.is_empty()
     }
 
-    /// Whether there is something to do again.
-    #[must_use]
+    /// Whether there is a step to do again.
     pub fn can_redo(&self) -> bool {
-        !self.after.is_empty()
+        !self.future.is_empty()
     }
 
-    /// Puts the scene back into the state before the present one.
-    pub fn undo(&mut self, scene: &mut Scene) {
-        if let Some(earlier) = self.before.pop() {
-            self.after.push(std::mem::replace(&mut self.present, earlier));
-            self.show(scene);
-        }
+    /// Takes the last step back; the state from before.
+    pub fn undo(&mut self) -> Option<&T> {
+        let before = self.past.pop()?;
+        self.future.push(std::mem::replace(&mut self.present, before));
+        self.end_gesture();
+        Some(&self.present)
     }
 
-    /// Puts the scene into the state that was undone last.
-    pub fn redo(&mut self, scene: &mut Scene) {
-        if let Some(later) = self.after.pop() {
-            self.before.push(std::mem::replace(&mut self.present, later));
-            self.show(scene);
-        }
-    }
-
-    fn show(&mut self, scene: &mut Scene) {
-        (self.present.film.width, self.present.film.height) = (scene.film.width, scene.film.height);
-        *scene = self.present.clone();
+    /// Does the step again that was taken back last; the state from behind.
+    pub fn redo(&mut self) -> Option<&T> {
+        let after = self.future.pop()?;
+        self.past.push(std::mem::replace(&mut self.present, after));
+        self.end_gesture();
+        Some(&self.present)
     }
 }
 
@@ -74,36 +78,38 @@ mod tests {
     use super::*;
 
     #[test]
-    fn changes_are_undone_and_done_again() {
-        let mut scene = Scene::default();
-        let mut history = History::new(&scene);
-        history.note(&scene);
-        assert!(!history.can_undo());
-        for azimuth in [1.0, 2.0] {
-            scene.camera.azimuth = azimuth;
-            history.note(&scene);
-        }
-        history.undo(&mut scene);
-        assert_eq!(scene.camera.azimuth, 1.0);
-        history.undo(&mut scene);
-        assert_eq!(scene, Scene::default());
-        history.redo(&mut scene);
-        assert_eq!((scene.camera.azimuth, history.can_redo()), (1.0, true));
-        scene.camera.azimuth = 7.0;
-        history.note(&scene);
-        assert!(!history.can_redo());
+    fn steps_are_taken_back_and_done_again() {
+        let mut history = History::new(0);
+        history.record(1, None);
+        history.record(1, None);
+        history.record(2, None);
+        assert_eq!(
+            [history.undo().copied(), history.undo().copied(), history.undo().copied()],
+            [Some(1), Some(0), None]
+        );
+        assert_eq!(history.redo().copied(), Some(1));
+        history.record(5, None);
+        assert!(!history.can_redo(), "a new step forgets what was taken back");
+        assert_eq!(history.undo().copied(), Some(1));
     }
 
     #[test]
-    fn the_windows_size_is_no_change() {
-        let mut scene = Scene::default();
-        let mut history = History::new(&scene);
-        scene.film.width = 999;
-        history.note(&scene);
-        assert!(!history.can_undo());
-        scene.camera.zoom = 2.0;
-        history.note(&scene);
-        history.undo(&mut scene);
-        assert_eq!((scene.film.width, scene.camera.zoom), (999, 1.0));
+    fn a_gesture_is_one_step() {
+        let mut history = History::new(0);
+        (1..9).for_each(|state| history.record(state, Some("drag")));
+        history.end_gesture();
+        (9..12).for_each(|state| history.record(state, Some("drag")));
+        history.record(20, Some("other"));
+        assert_eq!(history.undo().copied(), Some(11));
+        assert_eq!(history.undo().copied(), Some(8));
+        assert_eq!(history.undo().copied(), Some(0));
+    }
+
+    #[test]
+    fn the_oldest_states_are_forgotten() {
+        let mut history = History::new(0);
+        (1..=2 * MOST).for_each(|state| history.record(state, None));
+        while history.undo().is_some() {}
+        assert_eq!(*history.present(), MOST);
     }
 }

@@ -11,6 +11,7 @@ mod loader;
 mod measure;
 pub mod navigation;
 pub mod panels;
+mod scene_history;
 mod session;
 pub mod transfer_editor;
 mod trouble;

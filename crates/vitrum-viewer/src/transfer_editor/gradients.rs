@@ -1,6 +1,7 @@
 //! The histogram over value and gradient, in which surfaces between two kinds of matter are arcs (Kindlmann & Durkin 1998).
 
 use vitrum::io::Volume;
+use vitrum::preset::GradientMagnitudes;
 
 /// The number of voxels by their value and by the magnitude of the scalar's gradient.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,11 +29,12 @@ impl Gradients {
             stride += 1;
         }
         let mut samples = Vec::new();
-        let [width, height, depth] = volume.dimensions;
+        let magnitudes = GradientMagnitudes::new(volume);
+        let [width, height, depth] = volume.dimensions.map(|size| size as usize);
         for z in (0..depth).step_by(stride) {
             for y in (0..height).step_by(stride) {
                 for x in (0..width).step_by(stride) {
-                    samples.push((volume.value(x, y, z), magnitude(volume, [x, y, z])));
+                    samples.push((magnitudes.value([x, y, z]), magnitudes.at([x, y, z])));
                 }
             }
         }
@@ -62,22 +64,6 @@ impl Gradients {
         let [columns, _] = Self::BINS;
         filled.map(move |(index, &count)| (index % columns, index / columns, (logarithm(count) / greatest) as f32))
     }
-}
-
-/// The magnitude of the gradient at a voxel, by differences to its neighbours.
-fn magnitude(volume: &Volume, at: [u32; 3]) -> f32 {
-    let slope = |axis: usize| {
-        let moved = |to: u32| {
-            let mut at = at;
-            at[axis] = to;
-            volume.value(at[0], at[1], at[2])
-        };
-        let (low, high) = (at[axis].saturating_sub(1), (at[axis] + 1).min(volume.dimensions[axis] - 1));
-        let distance = (high - low) as f32 * volume.spacing[axis];
-        if distance > 0.0 { (moved(high) - moved(low)) / distance } else { 0.0 }
-    };
-    let [x, y, z] = [0, 1, 2].map(slope);
-    (x * x + y * y + z * z).sqrt()
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The menu at the top.
 
 use super::{Dialog, Viewer, marks};
-use crate::history::History;
 use crate::navigation;
+use crate::scene_history::SceneHistory;
 use eframe::egui::{Button, MenuBar, Panel, Ui, ViewportCommand, widgets};
 use vitrum::backend::Choice;
 use vitrum::builtin;
@@ -77,8 +77,8 @@ impl Viewer {
 
     fn edit_menu(&mut self, ui: &mut Ui) {
         let history = self.document.as_ref().map(|document| &document.history);
-        let can_undo = history.is_some_and(History::can_undo);
-        let can_redo = history.is_some_and(History::can_redo);
+        let can_undo = history.is_some_and(SceneHistory::can_undo);
+        let can_redo = history.is_some_and(SceneHistory::can_redo);
         if ui.add_enabled(can_undo, Button::new("Undo").shortcut_text("Ctrl+Z")).clicked() {
             self.undo();
         }

@@ -20,6 +20,8 @@ use std::convert::Infallible;
 pub struct Cache {
     entries: HashMap<TypeId, Box<dyn Any + Send>>,
     noise: Memo<(), Option<Noise>>,
+    /// The range of the shown volume without outliers.
+    range: Memo<(), [f32; 2]>,
     shown: Memo<Changes, Option<Subject>>,
     points: Memo<(Changes, PointsKey), Vec<DVec3>>,
     finer: Memo<(Changes, Fineness), Subject>,
@@ -40,7 +42,9 @@ impl Cache {
     /// Where the memory does not suffice.
     pub(crate) fn shown(&mut self, scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Error> {
         let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
-        let changes = Changes::of(scene, volumes, || *self.noise.of((), || preset::noise(volumes.bending())));
+        let noise = || *self.noise.of((), || preset::noise(volumes.bending()));
+        let range = || *self.range.of((), || volumes.shown.common_range());
+        let changes = Changes::of(scene, volumes, noise, range);
         if !self.shown.is_of(&changes) {
             self.entries.clear();
             self.finer = Memo::default();

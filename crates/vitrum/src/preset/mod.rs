@@ -35,7 +35,7 @@ pub use adjustments::{Adjustments, adjust, fit, fit_file, transfer_file};
 pub use choice::{Choice, choose};
 pub(crate) use choice::{are_named_labels, holds_labels};
 pub use colormap::names as colormap_names;
-pub use gradients::gradient_percentiles;
+pub use gradients::{GradientMagnitudes, gradient_percentiles};
 pub use landmarks::{Landmarks, landmarks, percentiles};
 pub use medium::{MediumError, medium_names, put_into_medium};
 pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};

@@ -1,6 +1,7 @@
 //! Changes of a transfer function as a whole: a window, a threshold, a map of colours.
 
 use super::colormap;
+use crate::scene::piecewise::around;
 use crate::scene::{ColorPoint, IorPoint, OpacityPoint, Scene, TransferFunction};
 use vitrum_io::Volume;
 
@@ -94,16 +95,9 @@ impl Point for IorPoint {
 
 /// Removes the points up to `value`; the function's point there, where there is a function.
 fn cut_points<P: Point>(points: &mut Vec<P>, value: f32, mix: impl Fn(&P, &P, f32) -> P) -> Option<P> {
-    let after = points.partition_point(|point| point.value() <= value);
-    let before = after.checked_sub(1).and_then(|before| points.get(before)).copied();
-    let next = points.get(after).copied();
-    points.drain(..after);
-    match (before, next) {
-        (Some(before), Some(next)) => {
-            Some(mix(&before, &next, (value - before.value()) / (next.value() - before.value())))
-        }
-        (before, next) => before.or(next),
-    }
+    let there = around(points, value, P::value).map(|(before, next, share)| mix(before, next, share));
+    points.retain(|point| point.value() > value);
+    there
 }
 
 fn mix_opacity(from: &OpacityPoint, to: &OpacityPoint, t: f32) -> OpacityPoint {

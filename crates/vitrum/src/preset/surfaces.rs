@@ -1,6 +1,7 @@
 //! Isosurfaces beside a transfer function.
 
 use super::PresetError;
+use crate::scene::piecewise::around;
 use crate::scene::{ColorPoint, Isosurface, Rgb, Scene, TransferFunction, parse_color};
 use std::str::FromStr;
 
@@ -74,14 +75,9 @@ pub(crate) fn show_alone(scene: &mut Scene) {
 
 /// The colour of a function at a value; white without points.
 fn at(points: &[ColorPoint], value: f32) -> Rgb {
-    let after = points.partition_point(|point| point.value <= value);
-    match (after.checked_sub(1).and_then(|before| points.get(before)), points.get(after)) {
-        (Some(before), Some(next)) => {
-            let share = (value - before.value) / (next.value - before.value);
-            std::array::from_fn(|channel| before.color[channel] + (next.color[channel] - before.color[channel]) * share)
-        }
-        (before, next) => before.or(next).map_or([1.0; 3], |point| point.color),
-    }
+    around(points, value, |point| point.value).map_or([1.0; 3], |(before, next, share)| {
+        std::array::from_fn(|channel| before.color[channel] + (next.color[channel] - before.color[channel]) * share)
+    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The second dimension of transfer functions: the magnitude of the scalar's gradient.
 
 use super::Rgb;
+use super::piecewise::around;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
@@ -75,16 +76,8 @@ impl GradientFunction {
     /// The factor of opacity at a gradient magnitude.
     #[must_use]
     pub fn factor(&self, magnitude: f32) -> f32 {
-        let after = self.opacity.partition_point(|point| point.magnitude <= magnitude);
-        let before = after.checked_sub(1).and_then(|before| self.opacity.get(before));
-        match (before, self.opacity.get(after)) {
-            (Some(before), Some(next)) => {
-                let share = (magnitude - before.magnitude) / (next.magnitude - before.magnitude);
-                before.factor + (next.factor - before.factor) * share
-            }
-            (Some(end), None) | (None, Some(end)) => end.factor,
-            (None, None) => 1.0,
-        }
+        around(&self.opacity, magnitude, |point| point.magnitude)
+            .map_or(1.0, |(before, next, share)| before.factor + (next.factor - before.factor) * share)
     }
 }
 

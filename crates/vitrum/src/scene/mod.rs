@@ -31,6 +31,7 @@ mod medium;
 mod mesh;
 mod method;
 mod paint;
+pub(crate) mod piecewise;
 mod receiver;
 mod renamed;
 mod schema;

@@ -1,10 +1,11 @@
 //! The colours of voxels, and the factors of opacity at the gradient's magnitude.
 
 use crate::error::Error;
-use crate::scene::{GradientFunction, Rgb};
+use crate::preset::GradientMagnitudes;
+use crate::scene::GradientFunction;
 use glam::Vec3;
 use rayon::prelude::*;
-use vitrum_io::{Volume, require_memory};
+use vitrum_io::{Volume, linear_to_srgb, require_memory};
 
 /// The word of a voxel without a colour of its own, as [`Volume::colors`] has it.
 const NONE: u32 = u32::MAX;
@@ -17,12 +18,12 @@ pub(super) fn with_gradients(volume: &Volume, functions: &[GradientFunction]) ->
     let count = volume.voxel_count();
     require_memory(&format!("{}, for `transfer.gradient`", volume.name), count as u64 * 4)?;
     let [width, height, _] = volume.dimensions.map(|size| size as usize);
-    let tints: Vec<Vec3> = functions.iter().map(|function| coded(function.color)).collect();
+    let tints: Vec<Vec3> = functions.iter().map(|function| Vec3::from(function.color.map(linear_to_srgb))).collect();
     let mut colors = vec![NONE; count];
     if let Some(own) = &volume.colors {
         colors.copy_from_slice(own);
     }
-    let magnitudes = Magnitudes::new(volume);
+    let magnitudes = GradientMagnitudes::new(volume);
     colors.par_chunks_mut(width).enumerate().for_each(|(row, colors)| {
         let (y, z) = (row % height, row / height);
         for (x, color) in colors.iter_mut().enumerate() {
@@ -44,14 +45,6 @@ pub(super) fn with_gradients(volume: &Volume, functions: &[GradientFunction]) ->
     Ok(Volume { colors: Some(colors.into()), ..volume.clone() })
 }
 
-/// A linear colour in sRGB, 0 to 1.
-fn coded(color: Rgb) -> Vec3 {
-    let coded = |linear: f32| {
-        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::powf(linear, 1.0 / 2.4) - 0.055 }
-    };
-    Vec3::from(color.map(coded))
-}
-
 /// A voxel's word with factors of its colour, in sRGB, and of its opacity.
 fn multiplied(word: u32, tint: Vec3, factor: f32) -> u32 {
     let factors = [tint.x, tint.y, tint.z, factor];
@@ -61,57 +54,6 @@ fn multiplied(word: u32, tint: Vec3, factor: f32) -> u32 {
         .zip(factors)
         .for_each(|(channel, factor)| *channel = (f32::from(*channel) * factor + 0.5) as u8);
     u32::from_le_bytes(channels)
-}
-
-/// Magnitudes of a volume's gradient.
-pub(crate) struct Magnitudes<'a> {
-    volume: &'a Volume,
-    /// The mean edge of a voxel over the distance of two voxels along each axis.
-    per_step: Vec3,
-}
-
-impl<'a> Magnitudes<'a> {
-    /// Those of a volume.
-    pub(crate) fn new(volume: &'a Volume) -> Self {
-        let spacing = Vec3::from(volume.spacing);
-        let mean = (spacing.x + spacing.y + spacing.z) / 3.0;
-        Self { volume, per_step: Vec3::splat(mean) / spacing }
-    }
-
-    /// The value of a voxel.
-    fn value(&self, [x, y, z]: [usize; 3]) -> f32 {
-        let [width, height, _] = self.volume.dimensions.map(|size| size as usize);
-        let stored = self.volume.voxels.stored((z * height + y) * width + x).unwrap_or_default();
-        stored * self.volume.value_scale + self.volume.value_offset
-    }
-
-    /// The magnitude at a voxel: the change of the value over the mean edge of a voxel, by central differences; at the border one-sided ones.
-    pub(crate) fn at(&self, at: [usize; 3]) -> f32 {
-        let along = |axis: usize| {
-            let last = self.volume.dimensions[axis] as usize - 1;
-            let (mut before, mut behind) = (at, at);
-            before[axis] = at[axis].saturating_sub(1);
-            behind[axis] = (at[axis] + 1).min(last);
-            let steps = behind[axis] - before[axis];
-            if steps == 0 { 0.0 } else { (self.value(behind) - self.value(before)) / steps as f32 }
-        };
-        (Vec3::new(along(0), along(1), along(2)) * self.per_step).length()
-    }
-}
-
-/// The magnitudes of a volume's gradient below which these shares of its voxels are; of at most a million voxels, evenly spread.
-pub(crate) fn magnitude_percentiles<const N: usize>(volume: &Volume, shares: [f64; N]) -> [f32; N] {
-    const MOST: usize = 1 << 20;
-    let count = volume.voxel_count();
-    let [width, height, _] = volume.dimensions.map(|size| size as usize);
-    // An odd step meets voxels of all columns.
-    let step = count.div_ceil(MOST) | 1;
-    let magnitudes = Magnitudes::new(volume);
-    let place = |index: usize| [index % width, index / width % height, index / (width * height)];
-    let mut found: Vec<f32> =
-        (0..count.div_ceil(step)).into_par_iter().map(|n| magnitudes.at(place(n * step))).collect();
-    found.par_sort_unstable_by(f32::total_cmp);
-    shares.map(|share| found.get((share * (found.len() - 1) as f64) as usize).copied().unwrap_or_default())
 }
 
 /// The colours on a grid that is finer by `factors`, linear in between.
@@ -152,22 +94,6 @@ mod tests {
     fn ramp() -> Volume {
         let voxels: Vec<f32> = (0..60).map(|index| (index % 5) as f32 * 3.0).collect();
         Volume::new("a ramp", [5, 4, 3], [1.0, 2.0, 1.0], Voxels::from(voxels)).expect("a volume")
-    }
-
-    #[test]
-    fn magnitudes_are_changes_over_the_mean_edge_of_a_voxel() {
-        let ramp = ramp();
-        let magnitudes = Magnitudes::new(&ramp);
-        for at in [[0, 0, 0], [2, 1, 1], [4, 3, 2]] {
-            assert!((magnitudes.at(at) - 4.0).abs() < 1e-5, "{at:?}: {}", magnitudes.at(at));
-        }
-    }
-
-    #[test]
-    fn shares_of_voxels_are_below_their_magnitudes() {
-        let voxels: Vec<f32> = (0..1000).map(|index| if index % 10 < 4 { 0.0 } else { 7.0 }).collect();
-        let volume = Volume::new("a step", [10; 3], [1.0; 3], Voxels::from(voxels)).expect("a volume");
-        assert_eq!(magnitude_percentiles(&volume, [0.0, 0.5, 0.75, 0.85, 1.0]), [0.0, 0.0, 0.0, 3.5, 3.5]);
     }
 
     #[test]

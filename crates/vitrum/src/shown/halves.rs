@@ -5,16 +5,17 @@ use crate::scene::Scene;
 use rayon::prelude::*;
 use vitrum_io::{Shared, Volume, Voxels, require_memory};
 
-/// The values that a scene tells apart: the common ones of a volume, and those that its transfer functions and isosurfaces name.
-pub(super) fn told_apart(scene: &Scene, volume: &Volume) -> [f32; 2] {
+/// The values that a scene tells apart, of a volume with this range and this one without outliers: the common ones, and those that its transfer functions and
+/// isosurfaces name.
+pub(super) fn told_apart(scene: &Scene, [least, most]: [f32; 2], common: [f32; 2]) -> [f32; 2] {
     let transfer = &scene.transfer;
     let colors = transfer.color.iter().chain(&transfer.filter).map(|point| point.value);
     let opacities = transfer.opacity.iter().map(|point| point.value);
     let iors = transfer.ior.iter().map(|point| point.value);
     let surfaces = scene.isosurface.iter().map(|surface| surface.value);
     let named = colors.chain(opacities).chain(iors).chain(surfaces);
-    let [low, high] = named.fold(volume.common_range(), |[low, high], value| [low.min(value), high.max(value)]);
-    [low.max(volume.range[0]), high.min(volume.range[1])]
+    let [low, high] = named.fold(common, |[low, high], value| [low.min(value), high.max(value)]);
+    [low.max(least), high.min(most)]
 }
 
 /// The volume with values of 16 bits, `low` to `high`; others take the nearer end.
@@ -45,7 +46,7 @@ mod tests {
         let volume = Volume::new("floats", [20; 3], [1.0; 3], Voxels::from(values.clone())).expect("a volume");
         let mut scene = Scene::default();
         scene.transfer.opacity = vec![OpacityPoint { value: 5000.0, opacity: 1.0 }];
-        let ends = told_apart(&scene, &volume);
+        let ends = told_apart(&scene, volume.range, volume.common_range());
         assert_eq!(ends[1], 5000.0);
         let made = in_halves(&volume, ends).expect("there is memory");
         for (index, &value) in values.iter().enumerate() {

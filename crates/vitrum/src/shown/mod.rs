@@ -1,7 +1,7 @@
 //! The volumes that a picture is made of, where they are not those that were read: without noise, without specks, without what a mask hides, on a finer grid.
 
 mod clear;
-pub(crate) mod colors;
+mod colors;
 mod cubic;
 mod halves;
 mod mask;
@@ -69,8 +69,13 @@ fn bends(scene: &Scene) -> bool {
 
 impl Changes {
     /// The changes that a scene asks for. `noise` measures the noise of the volume that bends light; it is asked for only where the scene leaves
-    /// the choice, and light is bent.
-    pub(crate) fn of(scene: &Scene, volumes: Volumes<'_>, noise: impl FnOnce() -> Option<Noise>) -> Self {
+    /// the choice, and light is bent. `range` gives the shown volume's range without outliers, for which all voxels are counted.
+    pub(crate) fn of(
+        scene: &Scene,
+        volumes: Volumes<'_>,
+        noise: impl FnOnce() -> Option<Noise>,
+        mut range: impl FnMut() -> [f32; 2],
+    ) -> Self {
         let transfer = &scene.transfer;
         // What was computed or made in memory has the values that it should have.
         let measured = !volumes.bending().source.format.is_empty();
@@ -80,23 +85,23 @@ impl Changes {
             None if measured => noise().map_or(0, |noise| radius_for(noise.share)).max(transfer.opacity_smoothing),
             None => transfer.opacity_smoothing,
         };
-        let visible = || {
+        let mut visible = || {
             let shown = volumes.shown;
             let finest = shown.finest_spacing();
             let by = if volumes.ior.is_some() { By::Absorption } else { By::Both };
-            Visible::new(scene, by, (shown.extent(), shown.common_range(), finest))
+            Visible::new(scene, by, (shown.extent(), range(), finest))
         };
         let specks = (transfer.speck_size > 1).then(|| (transfer.speck_size, visible()));
         let hidden = scene.volume.mask.as_ref().map(|mask| {
             let by = if volumes.ior.is_some() { [By::Absorption, By::Bending] } else { [By::Both; 2] };
-            Hidden::new(mask, by.map(|by| clear_ranges(scene, by, || volumes.shown.common_range())))
+            Hidden::new(mask, by.map(|by| clear_ranges(scene, by, &mut range)))
         });
         // With colours there is one scalar.
         let colored = !transfer.gradient.is_empty() || volumes.shown.colors.is_some();
         let opacity = if colored { transfer.opacity_smoothing.max(ior) } else { transfer.opacity_smoothing };
         let ior = if colored { opacity } else { ior };
         let floats = matches!(volumes.shown.voxels, Voxels::F32(_));
-        let halves = (colored && floats).then(|| told_apart(scene, volumes.shown));
+        let halves = (colored && floats).then(|| told_apart(scene, volumes.shown.range, range()));
         Self { opacity, ior, specks, hidden, gradient: transfer.gradient.clone(), halves }
     }
 
@@ -182,7 +187,8 @@ pub(crate) fn told_of_mask(scene: &Scene, assets: &Assets) -> Option<String> {
 /// Where the memory does not suffice.
 pub(crate) fn shown(scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Error> {
     let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
-    let changes = Changes::of(scene, volumes, || preset::noise(volumes.bending()));
+    let (noise, range) = (|| preset::noise(volumes.bending()), || volumes.shown.common_range());
+    let changes = Changes::of(scene, volumes, noise, range);
     Ok(changes.made(assets)?.map(|subject| Assets { subject, ..assets.clone() }))
 }
 

@@ -77,13 +77,9 @@ pub fn rows(volume: &Volume) -> Vec<(&'static str, String)> {
         let text = format!("{low:>from$} to {high:>to$}  {voxels:>count$} voxels  {share:7.3} %");
         rows.push((if index == 0 { "counts" } else { "" }, text));
     }
-    let values = percentiles(volume, SHARES.map(|(_, share)| share));
-    let text = SHARES.iter().zip(values).map(|((name, _), value)| format!("{name} %: {}", number(value)));
-    rows.push(("percentiles", text.collect::<Vec<_>>().join(", ")));
-    let values = gradient_percentiles(volume, GRADIENT_SHARES.map(|(_, share)| share));
-    let text = GRADIENT_SHARES.iter().zip(values).map(|((name, _), value)| format!("{name} %: {}", number(value)));
-    let text = text.collect::<Vec<_>>().join(", ");
-    rows.push(("gradients", format!("{text}  (changes over a voxel; --gradient-opacity takes them)")));
+    rows.push(("percentiles", listed(&percentiles_of(volume))));
+    let told = listed(&gradients_of(volume));
+    rows.push(("gradients", format!("{told}  (changes over a voxel; --gradient-opacity takes them)")));
     let text = landmarks(volume).named().map(|(name, value)| format!("{name} {}", number(value)));
     rows.push(("landmarks", format!("{}  (of presets; --threshold takes a value)", text.join(", "))));
     rows.push(("noise", told_noise(noise(volume))));
@@ -136,15 +132,33 @@ pub fn json_parts(volume: &Volume) -> Value {
 }
 
 pub fn json_percentiles(volume: &Volume) -> Value {
-    let values = percentiles(volume, SHARES.map(|(_, share)| share));
-    let entries = SHARES.iter().zip(values).map(|((name, _), value)| ((*name).to_owned(), json!(value)));
-    Value::Object(entries.collect::<Map<_, _>>())
+    object(percentiles_of(volume))
 }
 
 pub fn json_gradients(volume: &Volume) -> Value {
+    object(gradients_of(volume))
+}
+
+/// Shares of voxels by name, and the numbers below which these are.
+type Percentiles = Vec<(&'static str, f32)>;
+
+fn percentiles_of(volume: &Volume) -> Percentiles {
+    SHARES.map(|(name, _)| name).into_iter().zip(percentiles(volume, SHARES.map(|(_, share)| share))).collect()
+}
+
+fn gradients_of(volume: &Volume) -> Percentiles {
     let values = gradient_percentiles(volume, GRADIENT_SHARES.map(|(_, share)| share));
-    let entries = GRADIENT_SHARES.iter().zip(values).map(|((name, _), value)| ((*name).to_owned(), json!(value)));
-    Value::Object(entries.collect::<Map<_, _>>())
+    GRADIENT_SHARES.map(|(name, _)| name).into_iter().zip(values).collect()
+}
+
+/// Percentiles for people.
+fn listed(percentiles: &[(&str, f32)]) -> String {
+    percentiles.iter().map(|(name, value)| format!("{name} %: {}", number(*value))).collect::<Vec<_>>().join(", ")
+}
+
+/// Numbers by name, for machines.
+fn object(entries: impl IntoIterator<Item = (&'static str, f32)>) -> Value {
+    Value::Object(entries.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect::<Map<_, _>>())
 }
 
 pub fn json_landmarks(volume: &Volume) -> Value {
