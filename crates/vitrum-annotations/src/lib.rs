@@ -18,7 +18,7 @@ mod style;
 mod unit;
 
 pub use scale_bar::round_length;
-pub use screen::screen_picture;
+pub use screen::{file_picture, is_of_screens, is_opaque, layers_of, screen_picture};
 pub use sheet::{Tile, contact_sheet};
 
 use canvas::Canvas;

@@ -7,7 +7,7 @@ use clap::builder::StyledStr;
 use clap_complete::CompleteEnv;
 use clap_complete::engine::{ArgValueCompleter, CompletionCandidate, PathCompleter, ValueCompleter};
 use clap_complete::env::{Elvish, Fish, Powershell, Shells, Zsh};
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use vitrum::scene::describe_keys;
 use vitrum::{builtin, method, preset};
 
@@ -16,9 +16,11 @@ const VARIABLE: &str = "VITRUM_COMPLETE";
 
 const SHELLS: Shells<'static> = Shells(&[&BashWithColons, &Elvish, &Fish, &Powershell, &Zsh]);
 
-/// Answers a shell that asks for completions, and ends the program then.
-pub fn answer_shell() {
-    CompleteEnv::with_factory(Arguments::command).var(VARIABLE).shells(SHELLS).complete();
+/// Answers a shell that asks for completions, and says whether one did.
+pub fn answer_shell(words: &[OsString]) -> bool {
+    let completion = CompleteEnv::with_factory(Arguments::command).var(VARIABLE).shells(SHELLS);
+    let folder = std::env::current_dir().ok();
+    completion.try_complete(words.iter().cloned(), folder.as_deref()).unwrap_or_else(|error| error.exit())
 }
 
 /// The script by which a shell asks the program; empty for a shell that there is not.

@@ -5,17 +5,7 @@ use std::path::Path;
 use vitrum::io::{Picture, Staged, stage_text};
 use vitrum::scene::{Background, Scene};
 use vitrum::{Assets, Frame, Layers, framed};
-use vitrum_annotations::{AnnotationError, Overlay, screen_picture};
-
-/// Formats of the screen, whose pictures are annotated.
-const OF_SCREENS: [&str; 6] = ["png", "apng", "jpg", "jpeg", "gif", "mp4"];
-
-/// Formats of the screen without an alpha.
-const OPAQUE: [&str; 3] = ["jpg", "jpeg", "mp4"];
-
-fn is_one_of(file: &Path, extensions: &[&str]) -> bool {
-    file.extension().is_some_and(|own| extensions.iter().any(|extension| own.eq_ignore_ascii_case(extension)))
-}
+use vitrum_annotations::{AnnotationError, Overlay, file_picture, is_of_screens, is_opaque, layers_of, screen_picture};
 
 /// What goes over the pictures of a scene.
 pub struct Figure {
@@ -34,14 +24,7 @@ impl Figure {
 
     /// The frame's picture as a file gets it: formats of the screen with straight alpha and annotations, others linear and complete.
     pub fn picture(&self, frame: Frame, file: &Path) -> Result<Picture, Failure> {
-        if !is_one_of(file, &OF_SCREENS) {
-            return Ok(if is_one_of(file, &["tif", "tiff"]) {
-                frame.into_straight_picture()
-            } else {
-                frame.into_picture()
-            });
-        }
-        self.screen_picture(frame, is_one_of(file, &OPAQUE))
+        Ok(file_picture(frame, self.overlay.as_ref(), file)?)
     }
 
     /// The frame's picture for a screen; `opaque` for a format without alpha, in which what is clear is black.
@@ -51,7 +34,7 @@ impl Figure {
 
     /// The outputs that a file's picture has.
     pub fn layers(file: &Path) -> Layers {
-        if is_one_of(file, &["exr"]) { Layers::ALL } else { Layers::color() }
+        layers_of(file)
     }
 
     /// The SVG document, beside its place until the other files are there, too.
@@ -76,7 +59,7 @@ impl Figure {
         for note in overlay.notes() {
             eprintln!("note: {note}");
         }
-        let is_linear = !is_one_of(file, &OF_SCREENS) && !file.is_dir() && file.extension().is_some();
+        let is_linear = !is_of_screens(file) && !file.is_dir() && file.extension().is_some();
         if is_linear {
             let name = file.display();
             eprintln!("note: {name} is linear and has no annotations; --annotations FILE.svg writes them apart");
@@ -87,7 +70,7 @@ impl Figure {
 /// Fails where a transparent background is asked for in a format without alpha.
 pub fn check_background(scene: &Scene, file: &Path) -> Result<(), Failure> {
     let transparent = scene.background.as_deref().and_then(Background::parse) == Some(Background::Transparent);
-    if !transparent || !is_one_of(file, &OPAQUE) {
+    if !transparent || !is_opaque(file) {
         return Ok(());
     }
     let message = format!("{}: this format has no transparency, and `background` is transparent", file.display());

@@ -3,6 +3,7 @@
 use crate::common_range::common_extremes;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
+use crate::placement::Placement;
 use crate::samples::SampleType;
 use crate::shared::Shared;
 use crate::source::{Assumptions, Source};
@@ -161,6 +162,29 @@ impl Volume {
             self.source.assumptions.push(format!("the spacing was given, in place of {x} x {y} x {z}"));
         }
         self.spacing = spacing;
+        Ok(self)
+    }
+
+    /// The volume put in its place: `columns` are the world's steps along each index axis, whose lengths become the spacing; `origin` is the position of voxel
+    /// (0, 0, 0), and without it the grid stays centred on the world's origin.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] where a number is not finite, the columns do not span space, or an extent is above 1e18.
+    pub fn with_placement(
+        mut self,
+        columns: [[f64; 3]; 3],
+        origin: Option<[f64; 3]>,
+        orientation: Orientation,
+    ) -> Result<Self, Error> {
+        let report = Report::new(&self.name);
+        let placement = Placement::from_columns(columns, origin, orientation)
+            .map_err(|problem| report.invalid(Place::File, problem, "correct the directions, spacings and the origin"))?;
+        check_spacing(report, placement.spacing)?;
+        check_extent(report, self.dimensions, placement.spacing)?;
+        self.spacing = placement.spacing;
+        self.source.assumptions.extend(placement.shear_note());
+        placement.apply(&mut self);
         Ok(self)
     }
 

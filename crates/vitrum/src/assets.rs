@@ -1,14 +1,14 @@
 //! The data that a scene names, read from files or made.
 
 use crate::error::Error;
-use crate::meshes::load_meshes;
-use crate::scene::{EnvironmentKind, Mask, Scene, VolumeSource};
+use crate::meshes::{arrange, load_meshes};
+use crate::scene::{EnvironmentKind, Mask, MeshSource, Scene, VolumeSource};
 use crate::subject::Subject;
 use crate::unrenderable::Unrenderable;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use vitrum_io::{OpenOptions, Picture, STANDARD_INPUT, Volume};
+use vitrum_io::{Mesh, OpenOptions, Picture, STANDARD_INPUT, Volume};
 
 /// The data that a picture is made of. It is shared, not copied: a clone is the same data.
 #[derive(Debug, Clone)]
@@ -45,6 +45,60 @@ impl Assets {
     /// # Errors
     /// As [`Self::load`].
     pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
+        let others = Self::beside(scene, base, max_bytes)?;
+        if !scene.mesh.is_empty() {
+            return Ok(others(load_meshes(&scene.mesh, base, max_bytes)?.into()));
+        }
+        let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
+        let ior = load_ior(scene, base, max_bytes)?;
+        let mask = scene.volume.mask.as_ref().map(|mask| load_mask(mask, &scene.volume, base, max_bytes));
+        let mask = mask.transpose()?.map(Arc::new);
+        Ok(Self { mask, ..others(volumes(shown, ior)) })
+    }
+
+    /// A volume or a mesh from memory, which takes the place of the one that `scene` names first, and the other files that the scene names. The keys of
+    /// `volume` and `mesh.0` that turn, scale or place are applied to it.
+    ///
+    /// # Errors
+    /// As [`Self::load`]; [`Error::Unrenderable`] where the scene shows a mesh and the data is a volume or the other way round, shows more than one mesh, or
+    /// picks a part of a file.
+    pub fn of_memory(subject: &Subject, scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
+        let VolumeSource { raw, array, time, seconds, .. } = &scene.volume;
+        if raw.is_some() || array.is_some() || time.is_some() || seconds.is_some() {
+            let keys = "`volume.raw`, `volume.array`, `volume.time` and `volume.seconds`";
+            return Err(syntax(format!("{keys} pick a part of a file, and the volume is in memory")));
+        }
+        let others = Self::beside(scene, base, max_bytes)?;
+        match (subject, scene.mesh.as_slice()) {
+            (Subject::Mesh(mesh), [source]) => {
+                let as_it_is = MeshSource { file: source.file.clone(), builtin: None, ..MeshSource::default() };
+                let stays = *source == as_it_is;
+                let mesh = if stays { Arc::clone(mesh) } else { Arc::new(arrange(Mesh::clone(mesh), source)?) };
+                Ok(others(Subject::Mesh(mesh)))
+            }
+            (Subject::Mesh(_), []) => Err(Unrenderable::NeedsVolume.into()),
+            (Subject::Mesh(_), [_, ..]) => Err(syntax("one mesh is in memory, and the scene shows several".to_owned())),
+            (Subject::Volume(_) | Subject::Volumes { .. }, [_, ..]) => {
+                Err(Unrenderable::NeedsMesh { method: scene.method.as_str() }.into())
+            }
+            (Subject::Volume(shown) | Subject::Volumes { shown, .. }, []) => {
+                let options = options(&scene.volume, max_bytes)?;
+                let stays = options.spacing.is_none() && options.up.is_none();
+                let place = || Ok::<_, Error>(Arc::new(options.place(Volume::clone(shown))?));
+                let shown = if stays { Arc::clone(shown) } else { place()? };
+                let ior = match subject {
+                    Subject::Volumes { ior, .. } => Some(Arc::clone(ior)),
+                    _ => load_ior(scene, base, max_bytes)?,
+                };
+                let mask = scene.volume.mask.as_ref().map(|mask| load_mask(mask, &scene.volume, base, max_bytes));
+                let mask = mask.transpose()?.map(Arc::new);
+                Ok(Self { mask, ..others(volumes(shown, ior)) })
+            }
+        }
+    }
+
+    /// The pictures and the density that a scene names, still without a subject.
+    fn beside(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<impl FnOnce(Subject) -> Self, Error> {
         let environment = match (scene.environment.kind, &scene.environment.file) {
             (EnvironmentKind::Map, Some(file)) => Some(Arc::new(vitrum_io::read_picture(&base.join(file))?)),
             (EnvironmentKind::Map, None) => {
@@ -57,20 +111,22 @@ impl Assets {
         let textures = named.into_iter().map(read).collect::<Result<_, Error>>()?;
         let density = scene.medium.as_ref().and_then(|medium| medium.density.as_ref());
         let density = density.map(|source| load_volume(source, base, max_bytes)).transpose()?.map(Arc::new);
-        if !scene.mesh.is_empty() {
-            let subject = load_meshes(&scene.mesh, base, max_bytes)?.into();
-            return Ok(Self { subject, environment, textures, density, mask: None });
-        }
-        let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
-        let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
-        let subject = match ior {
-            None => Subject::Volume(shown),
-            Some(ior) => Subject::Volumes { shown, ior: Arc::new(ior) },
-        };
-        let mask = scene.volume.mask.as_ref().map(|mask| load_mask(mask, &scene.volume, base, max_bytes));
-        let mask = mask.transpose()?.map(Arc::new);
-        Ok(Self { subject, environment, textures, density, mask })
+        Ok(move |subject| Self { subject, environment, textures, density, mask: None })
     }
+}
+
+/// One volume, or two.
+fn volumes(shown: Arc<Volume>, ior: Option<Arc<Volume>>) -> Subject {
+    match ior {
+        None => Subject::Volume(shown),
+        Some(ior) => Subject::Volumes { shown, ior },
+    }
+}
+
+/// Reads the volume whose scalar gives the index of refraction, where a scene names one.
+fn load_ior(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Option<Arc<Volume>>, Error> {
+    let ior = scene.ior_volume.as_ref().map(|source| load_volume(source, base, max_bytes)).transpose()?;
+    Ok(ior.map(Arc::new))
 }
 
 /// Built-in data.

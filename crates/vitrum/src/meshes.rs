@@ -28,7 +28,7 @@ pub fn load_meshes(sources: &[MeshSource], base: &Path, max_bytes: Option<u64>) 
 /// Those of [`vitrum_io::open_mesh`]; where `source` would not pass [`crate::scene::Scene::validate`], or its built-in mesh does not exist.
 pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Result<Mesh, Error> {
     check_time(source)?;
-    let (mut mesh, usual) = match (&source.file, &source.builtin) {
+    let (mesh, usual) = match (&source.file, &source.builtin) {
         (Some(file), None) => {
             let path = base.join(file);
             let options = OpenOptions { max_bytes, ..OpenOptions::default() };
@@ -41,6 +41,16 @@ pub fn load_mesh(source: &MeshSource, base: &Path, max_bytes: Option<u64>) -> Re
         (Some(_), Some(_)) => return Err(Unrenderable::TwoSources { kind: "mesh" }.into()),
         (None, None) => return Err(Unrenderable::NoSource { kind: "mesh" }.into()),
     };
+    arranged(mesh, usual, source)
+}
+
+/// A mesh that is in memory, turned upright, placed and of the material as `source` says; its z is up where `source` does not say.
+pub(crate) fn arrange(mesh: Mesh, source: &MeshSource) -> Result<Mesh, Error> {
+    check_time(source)?;
+    arranged(mesh, Up::Superior, source)
+}
+
+fn arranged(mut mesh: Mesh, usual: Up, source: &MeshSource) -> Result<Mesh, Error> {
     let up = match &source.up {
         Some(text) => text.parse().map_err(syntax)?,
         None => usual,

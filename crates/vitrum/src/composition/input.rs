@@ -1,6 +1,7 @@
 //! The scene that an input stands for, before a preset and settings change it.
 
 use super::CompositionError;
+use crate::Subject;
 use crate::assets::made;
 use crate::io::{STANDARD_INPUT, is_mesh};
 use crate::scene::{MeshSource, MethodName, Scene, VolumeSource};
@@ -19,6 +20,12 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// The scene of a volume or a mesh in memory: the scene of a file of that name.
+    pub(super) fn of_memory(name: &str, subject: &Subject) -> Self {
+        let scene = if subject.mesh().is_some() { of_mesh(name.into()) } else { of_volume(name.into()) };
+        Self { scene, base: PathBuf::new(), bare: true }
+    }
+
     /// The scene of a mesh's file as one of a volume's file; other scenes are not changed.
     #[must_use]
     pub fn as_volume(self) -> Self {
@@ -50,9 +57,7 @@ pub fn open(input: &str) -> Result<Opened, CompositionError> {
     }
     // The reader of volumes has the message for a file that cannot be looked at.
     if path != Path::new(STANDARD_INPUT) && is_mesh(path).unwrap_or(false) {
-        let mesh = vec![MeshSource { file: Some(path.to_owned()), ..MeshSource::default() }];
-        let scene = Scene { method: MethodName::Voxels, mesh, ..Scene::default() };
-        return Ok(Opened { scene, base: PathBuf::new(), bare: true });
+        return Ok(Opened { scene: of_mesh(path.to_owned()), base: PathBuf::new(), bare: true });
     }
     Ok(Opened { scene: of_volume(path.to_owned()), base: PathBuf::new(), bare: true })
 }
@@ -63,6 +68,11 @@ pub(super) fn without_mesh(scene: Scene) -> Scene {
         [MeshSource { file: Some(file), .. }] => of_volume(file.clone()),
         _ => scene,
     }
+}
+
+fn of_mesh(file: PathBuf) -> Scene {
+    let mesh = vec![MeshSource { file: Some(file), ..MeshSource::default() }];
+    Scene { method: MethodName::Voxels, mesh, ..Scene::default() }
 }
 
 fn of_volume(file: PathBuf) -> Scene {

@@ -16,7 +16,7 @@ pub use sides::Side;
 use crate::error::Error;
 use crate::preset::Adjustments;
 use crate::scene::{Framing, Problem, Scene, SceneError, Vector, VolumeSource};
-use crate::{Assets, preset, shown};
+use crate::{Assets, Subject, preset, shown};
 use std::path::{Path, PathBuf};
 use vitrum_io::transfer::read_transfer;
 use vitrum_io::{Mesh, Volume};
@@ -81,6 +81,16 @@ impl Composition {
         self.compose_with(&|scene, base| Assets::load_within(scene, base, self.max_bytes))
     }
 
+    /// As [`Self::compose`], of a volume or a mesh in memory, shown as one of a file is. The input is a name for it, which the scene has for its file.
+    ///
+    /// # Errors
+    /// As [`Self::compose`].
+    pub fn compose_of(&self, subject: &Subject) -> Result<Composed, CompositionError> {
+        let opened = Opened::of_memory(&self.input, subject);
+        let load = |scene: &Scene, base: &Path| Assets::of_memory(subject, scene, base, self.max_bytes);
+        self.compose_opened(opened, &load)
+    }
+
     /// As [`Self::compose`], of data that has been read before: those of an earlier [`Composed`] of the same input.
     ///
     /// # Errors
@@ -90,13 +100,17 @@ impl Composition {
     }
 
     fn compose_with(&self, load: &Load<'_>) -> Result<Composed, CompositionError> {
-        let composed = self.compose_any_side(load)?;
+        self.compose_opened(open(&self.input)?, load)
+    }
+
+    fn compose_opened(&self, opened: Opened, load: &Load<'_>) -> Result<Composed, CompositionError> {
+        let composed = self.compose_any_side(opened, load)?;
         self.side.map_or(Ok(()), |side| side.check(&composed.assets.subject))?;
         Ok(composed)
     }
 
-    fn compose_any_side(&self, load: &Load<'_>) -> Result<Composed, CompositionError> {
-        let Opened { mut scene, base, bare } = open(&self.input)?;
+    fn compose_any_side(&self, opened: Opened, load: &Load<'_>) -> Result<Composed, CompositionError> {
+        let Opened { mut scene, base, bare } = opened;
         if bare && self.source.raw.is_some() {
             scene = input::without_mesh(scene);
         }
