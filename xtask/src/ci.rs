@@ -8,13 +8,14 @@ use crate::failure::Failure;
 use crate::features;
 use crate::package;
 use crate::peers;
+use crate::python;
 use crate::shaders::{self, COMPILER};
 use crate::steps::{Completion, Steps};
 use crate::test;
 use crate::wasm;
 
 /// Run every check: format, circles of files, lints, documentation, features, WebAssembly, tests, committed modules,
-/// packages, readers against independent ones.
+/// packages, readers against independent ones, the Python package.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Leave a step out; repeatable.
@@ -34,6 +35,7 @@ enum Step {
     Wasm,
     Package,
     Peers,
+    Python,
 }
 
 impl Step {
@@ -49,6 +51,7 @@ impl Step {
             Self::Shaders => "shaders",
             Self::Package => "package",
             Self::Peers => "peers",
+            Self::Python => "python",
         }
     }
 
@@ -71,6 +74,7 @@ impl Step {
             Self::Shaders => shaders::check(),
             Self::Package => package::verify(),
             Self::Peers => return peers::compare(&peers::Arguments::default()),
+            Self::Python => return python::check(&python::Arguments::default()),
         };
         whole.map(|()| Completion::Whole)
     }

@@ -11,12 +11,14 @@ mod command;
 mod diff;
 mod distribution;
 mod docs;
+mod environment;
 mod failure;
 mod features;
 mod fuzz;
 mod man;
 mod package;
 mod peers;
+mod python;
 mod shaders;
 mod steps;
 mod test;
@@ -48,6 +50,7 @@ enum Task {
     Fuzz(fuzz::Arguments),
     Man(man::Arguments),
     Peers(peers::Arguments),
+    Python(python::Arguments),
     Circles(circles::Arguments),
     Features(features::Arguments),
     Ci(ci::Arguments),
@@ -64,6 +67,7 @@ fn main() -> ExitCode {
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Man(arguments) => man::run(&arguments),
         Task::Peers(arguments) => peers::run(&arguments),
+        Task::Python(arguments) => python::run(&arguments),
         Task::Circles(arguments) => circles::run(&arguments),
         Task::Features(arguments) => features::run(&arguments),
         Task::Ci(arguments) => ci::run(&arguments),

@@ -8,8 +8,9 @@ use crate::command::{self, cargo, run};
 use crate::failure::Failure;
 
 /// Packages of the workspace that are not published.
-const UNPUBLISHED: [&str; 6] = [
+const UNPUBLISHED: [&str; 7] = [
     "vitrum-conformance",
+    "vitrum-python",
     "vitrum-shader-compiler",
     "vitrum-shader-manifest",
     "vitrum-shader-translation",

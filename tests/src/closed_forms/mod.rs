@@ -14,7 +14,7 @@ pub mod step;
 pub mod table;
 pub mod turned;
 
-use vitrum::Frame;
+use vitrum::{Frame, OutputRequest, render_requested};
 use vitrum::backend::Backend;
 use vitrum::io::{Volume, Voxels};
 use vitrum::method::sweep::Sweep;
@@ -74,11 +74,20 @@ pub fn refracting(volume: &Volume, pixels: u32) -> Scene {
     scene
 }
 
-/// The frame of a scene with this volume.
+/// The frame of a scene with this volume, without the light on the last plane, which takes far more time than small pictures.
 ///
 /// # Panics
 /// If the scene does not render.
 pub fn render(scene: &Scene, volume: &Volume, backend: &mut dyn Backend) -> Frame {
+    let request = OutputRequest { light: false, ..OutputRequest::default() };
+    render_requested(scene, &volume.clone().into(), request, backend, &mut |_| true).expect("the scene renders")
+}
+
+/// As [`render`], with the light on the last plane.
+///
+/// # Panics
+/// If the scene does not render.
+pub fn render_with_light(scene: &Scene, volume: &Volume, backend: &mut dyn Backend) -> Frame {
     vitrum::render(scene, &volume.clone().into(), backend, &mut |_| true).expect("the scene renders")
 }
 

@@ -3,7 +3,7 @@
 use vitrum::backend::Backend;
 use vitrum::scene::{Intensity, Transport, Wall};
 
-use super::{cuboid, refracting, render};
+use super::{cuboid, refracting, render_with_light};
 
 const EPSILON: f64 = 0.04;
 /// The slab fades in and out over its depth as sin², so that its faces do not bend light: half of it counts.
@@ -40,7 +40,7 @@ pub fn irradiance(
     scene.sweep.sample_distance = sample_distance;
     let distance = share * focus;
     scene.wall = Some(Wall { distance: Some(distance as f32), azimuth: 0.0, color: [1.0; 3] });
-    let frame = render(&scene, &volume, backend);
+    let frame = render_with_light(&scene, &volume, backend);
     let light = frame.light.as_ref().expect("all outputs are wanted");
     let width = light.width as usize;
     let pixels = light.color();

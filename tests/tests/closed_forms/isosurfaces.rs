@@ -42,6 +42,8 @@ fn each_crossing_takes_the_same_share() {
             for (sample_distance, azimuth) in [(1.0, 0.0), (0.5, 30.0), (0.25, 0.0)] {
                 let mut scene = showing(&[(0.8, 0.5), (0.5, 0.3)], pixels, 60.0);
                 scene.sweep.sample_distance = sample_distance;
+                // Opacity does not depend on light.
+                scene.sweep.light_cells = Some(8);
                 scene.camera.azimuth = azimuth;
                 let frame = render(&scene, &volume, backend.as_mut());
                 let opacity = frame.channel("opacity", "Y").expect("opacity");
@@ -145,6 +147,8 @@ fn surfaces_behind_one_another_are_lit_by_what_is_left() {
             let mut error = |surfaces: &[(f32, f32)], azimuth: f32, expected: f64| {
                 let mut scene = showing(surfaces, 9, azimuth);
                 scene.sweep.sample_distance = sample_distance;
+                // Light is the same all over a plane.
+                scene.sweep.light_cells = Some(48);
                 let frame = render(&scene, &volume, backend.as_mut());
                 let found = f64::from(frame.channel("color", "R").expect("color")[4 * 9 + 4]);
                 println!("{}: {found:.4} for {expected:.4} at {azimuth}°, {sample_distance}", backend.name());

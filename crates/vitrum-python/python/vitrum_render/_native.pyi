@@ -4,6 +4,8 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
+__all__: list[str]
+
 _Triple = Sequence[float]
 _Callback = Callable[[str, int, int], Any]
 
@@ -69,7 +71,7 @@ class Scene:
     def to_toml(self) -> str: ...
     def to_json(self) -> str: ...
     def copy(self) -> Scene: ...
-    def __eq__(self, other: object) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
 
 @final
 class Composed:
