@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::command::{self, cargo, run};
 use crate::failure::Failure;
@@ -23,13 +22,12 @@ const UNPUBLISHED: [&str; 7] = [
 /// Cargo's own verification would generate code, too, for every dependency: that takes twice as long and finds nothing more about an archive, whose sources the
 /// tests have compiled. Here compilation ends before, as `cargo check` has it.
 pub fn verify() -> Result<(), Failure> {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_nanos());
-    let folder = command::target().join(format!("package-{now}"));
-    let result = verify_in(&folder);
-    if let Err(error) = fs::remove_dir_all(&folder) {
-        eprintln!("{} could not be removed: {error}", folder.display());
+    let folder = command::target().join("packages");
+    if folder.exists() {
+        let unusable = |error| Failure::setup(format!("{}: {error}", folder.display()));
+        fs::remove_dir_all(&folder).map_err(unusable)?;
     }
-    result
+    verify_in(&folder)
 }
 
 /// Does so in a folder of its own.
@@ -49,10 +47,10 @@ fn verify_in(folder: &Path) -> Result<(), Failure> {
         "Cargo.lock",
         fs::read_to_string(&lock).map_err(|error| Failure::setup(format!("{}: {error}", lock.display())))?,
     )?;
-    // One after the other, so that each has the features that it asks for itself, and in one folder, so that their dependencies are compiled once.
+    // One after the other, so that each has the features that it asks for itself, and where the lints were, so that their dependencies are looked at once.
     for name in &names {
-        let mut check = cargo(["check", "--package", package(name)]);
-        run(check.current_dir(&unpacked).env("CARGO_TARGET_DIR", folder))?;
+        let mut check = cargo(["check", "--release", "--package", package(name)]);
+        run(check.current_dir(&unpacked).env("CARGO_TARGET_DIR", command::target()))?;
     }
     Ok(())
 }

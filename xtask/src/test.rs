@@ -12,6 +12,9 @@ use crate::vulkan::{self, Driver, Installation};
 /// The beginning of the line by which a test reports that it left itself out for want of data; `vitrum_conformance::data` writes it.
 const LEFT_OUT: &str = "[left out] ";
 
+/// The crate of the kernels.
+const KERNELS: &str = "vitrum-kernels";
+
 /// Run all tests with both backends; a missing Vulkan driver is installed where that is possible, else a failure.
 ///
 /// What will be installed is said first: Mesa's software driver for Vulkan, on Debian and Ubuntu, as root. Nothing else is.
@@ -29,7 +32,8 @@ pub struct Arguments {
 /// Runs the tests and prints a summary.
 ///
 /// The shader compiler is left out: its dependencies build SPIRV-Tools, which takes longer than all tests, and what it
-/// makes is committed and tested here. `cargo xtask ci` covers it.
+/// makes is committed and tested here. `cargo xtask ci` covers it. The kernels' own test program is left out, too, for which all kernels would be compiled
+/// a second time: `tests/tests/kernel_units.rs` runs its tests.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let installation = if arguments.no_install { Installation::Forbidden } else { Installation::Allowed };
     let driver = vulkan::driver(installation)?;
@@ -37,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         eprintln!("xtask: {reason}");
         eprintln!("xtask: tests of the GPU backend leave themselves out; the summary lists and counts them");
     }
-    let mut command = cargo(["test", "--release", "--workspace", "--exclude", COMPILER, "--no-fail-fast"]);
+    let mut command = cargo(["test", "--release", "--workspace", "--exclude", COMPILER, "--exclude", KERNELS, "--no-fail-fast"]);
     command.args(&arguments.arguments);
     // Errors against closed forms are held to their bounds, and not only listed.
     command.env("VITRUM_REQUIRE_GPU", requirement(&driver)).env("VITRUM_MEASURE", "0").stdout(Stdio::piped());
