@@ -116,6 +116,11 @@ def test_progress_is_told_and_gives_up(small: vr.Session) -> None:
     assert small.render().size == (48, 36)
 
 
+def test_a_session_does_not_wait_for_itself(small: vr.Session) -> None:
+    with pytest.raises(vr.InvalidValue, match="another session"):
+        small.render(progress=lambda *_: small.render())
+
+
 def test_ctrl_c_ends_a_picture_and_the_session_goes_on(volume: np.ndarray) -> None:
     code = """
 import _thread, threading, time
@@ -235,6 +240,14 @@ def test_pictures_show_themselves(small: vr.Session) -> None:
     pil = pytest.importorskip("PIL.Image")
     np.testing.assert_array_equal(np.asarray(pil.open(io.BytesIO(png))), picture.to_srgb8())
     np.testing.assert_array_equal(np.asarray(picture.to_pil()), picture.to_srgb8())
+
+
+def test_a_dataset_has_every_output(small: vr.Session) -> None:
+    pytest.importorskip("xarray")
+    data = small.render(outputs=("depth", "light")).to_xarray()
+    assert data["color"].dims == ("y", "x", "color_channel") and data["depth"].shape == (36, 48)
+    assert list(data["color_channel"].values) == ["R", "G", "B", "A"] and "light" not in data
+    assert vr.Scene.from_toml(data.attrs["scene"].replace('file = "array"', 'builtin = "ball"')).film.width == 48
 
 
 def test_annotations_are_drawn_and_lent(small: vr.Session) -> None:

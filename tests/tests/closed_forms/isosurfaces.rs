@@ -147,8 +147,6 @@ fn surfaces_behind_one_another_are_lit_by_what_is_left() {
             let mut error = |surfaces: &[(f32, f32)], azimuth: f32, expected: f64| {
                 let mut scene = showing(surfaces, 9, azimuth);
                 scene.sweep.sample_distance = sample_distance;
-                // Light is the same all over a plane.
-                scene.sweep.light_cells = Some(48);
                 let frame = render(&scene, &volume, backend.as_mut());
                 let found = f64::from(frame.channel("color", "R").expect("color")[4 * 9 + 4]);
                 println!("{}: {found:.4} for {expected:.4} at {azimuth}°, {sample_distance}", backend.name());

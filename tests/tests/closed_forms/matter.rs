@@ -139,8 +139,6 @@ fn a_cut_is_as_bright_wherever_it_lies_between_planes() {
             for tenths in 0..10 {
                 let mut scene = lit_from_the_side(&[(0.0, 0.0), (1.0, OPACITY)], 9);
                 scene.sweep.sample_distance = sample_distance;
-                // Light is the same all over a plane.
-                scene.sweep.light_cells = Some(VOXELS);
                 let offset = 0.013 * tenths as f32 * 2.0 / 3.0;
                 scene.clip = vec![Clip { normal: [0.0, 1.0, 0.0], offset, ..Clip::default() }];
                 let frame = render(&scene, &volume, backend.as_mut());

@@ -10,8 +10,6 @@ fn the_defaults_are_plain_compositing() {
     let volume = cube(48, 2.0, |[_, y, _]| 0.5 + 0.5 * (3.0 * y).sin());
     let mut scene = straight_on(9);
     scene.environment.visible = false;
-    // Light is the same all over a plane.
-    scene.sweep.light_cells = Some(48);
     let [low, high] = volume.range;
     scene.transfer.opacity =
         vec![OpacityPoint { value: low, opacity: 0.0 }, OpacityPoint { value: high, opacity: 0.2 }];

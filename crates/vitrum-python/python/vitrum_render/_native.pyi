@@ -4,7 +4,28 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
-__all__: list[str]
+__all__ = [
+    "Composed",
+    "Frame",
+    "Mesh",
+    "Scene",
+    "Session",
+    "Volume",
+    "colormaps",
+    "compose",
+    "devices",
+    "diff",
+    "keys",
+    "load",
+    "main",
+    "open",
+    "outputs",
+    "presets",
+    "scenes",
+    "schema",
+    "version",
+    "voxelize",
+]
 
 _Triple = Sequence[float]
 _Callback = Callable[[str, int, int], Any]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Iterator, Sequence
 from types import TracebackType
 from typing import Any, Literal
@@ -120,6 +121,7 @@ class Session:
         path, data = _path_or_data(data)
         if path is not None and (spacing is not None or affine is not None):
             raise InvalidValue("spacing and affine are for arrays", "give `vr.open(path, spacing=…)`, or the key `volume.spacing`")
+        self._inside = threading.local()
         self._path = path
         self._data: Volume | Mesh | None = None if data is None else subject(data, spacing, affine, nan)
         look: dict[str, Any] = {
@@ -232,8 +234,14 @@ class Session:
         elif scene is None:
             scene = self.scene
         names = None if outputs == "all" else list(outputs)
-        with told(progress) as tell:
-            return Picture(self._native.render(scene._native, names, tell))
+        if getattr(self._inside, "progress", False):
+            raise InvalidValue("the function of `progress` asks for a picture of the session that calls it", "use another session there")
+        self._inside.progress = True
+        try:
+            with told(progress) as tell:
+                return Picture(self._native.render(scene._native, names, tell))
+        finally:
+            self._inside.progress = False
 
     def turntable(
         self,
