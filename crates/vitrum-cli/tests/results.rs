@@ -318,6 +318,27 @@ fn a_turntable_fills_a_folder_and_resumes() {
 }
 
 #[test]
+fn parts_of_a_turntable_make_all_of_it() {
+    let folder = Folder::new();
+    folder.succeed(&[&TURN[..], &["-o", "turn"]].concat());
+    folder.succeed(&[&TURN[..], &["-o", "parts", "--part", "1/2"]].concat());
+    let file = |name: &str, index: usize| folder.file(&format!("{name}/frame-0000{index}.png"));
+    assert_eq!([0, 1, 2].map(|index| file("parts", index).exists()), [false, true, false]);
+    // Pictures of other parts are none of its concern, those of its own are.
+    let first = [&fs::read(file("turn", 0)).expect("a picture")[..], b"kept"].concat();
+    fs::write(file("parts", 0), &first).expect("it can be written");
+    folder.succeed(&[&TURN[..], &["-o", "parts", "--part", "0/2", "--resume", "--stats", "part.json"]].concat());
+    let text = fs::read_to_string(folder.file("part.json")).expect("statistics");
+    let statistics: Value = serde_json::from_str(&text).expect("JSON");
+    let frames = statistics["frames"].as_array().expect("a list");
+    assert_eq!(frames.iter().map(|frame| frame["frame"].as_u64()).collect::<Vec<_>>(), [Some(2)]);
+    assert_eq!(fs::read(file("parts", 0)).expect("it is still there"), first);
+    for index in [1, 2] {
+        assert_eq!(fs::read(file("parts", index)).expect("a picture"), fs::read(file("turn", index)).expect("a picture"));
+    }
+}
+
+#[test]
 fn a_turntable_makes_animations() {
     let folder = Folder::new();
     folder.succeed(&[&TURN[..], &["-o", "turn.gif", "--rate", "10"]].concat());
@@ -343,6 +364,8 @@ fn a_turntable_says_what_it_cannot_do() {
     for (more, expected) in [
         (&["-o", "turn.avi"][..], "no known animation format"),
         (&["-o", "turn.gif", "--resume"], "cannot be resumed"),
+        (&["-o", "turn.gif", "--part", "0/2"], "cannot be made in parts"),
+        (&["-o", "turn", "--part", "2/2"], "the last 1/2"),
         (&["-o", "turn", "--set", "camera.position=[0, -5, 0]"], "camera.position"),
     ] {
         folder.refuse(&[&TURN[..], more].concat(), 2, &[expected]);

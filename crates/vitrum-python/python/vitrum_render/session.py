@@ -21,7 +21,7 @@ BackendName = Literal["auto", "cpu", "gpu"]
 Quality = Literal["draft", "good", "best"]
 Side = Literal["anterior", "posterior", "left", "right", "superior", "inferior"]
 
-_LOOK = frozenset(
+LOOK = frozenset(
     ("preset", "medium", "quality", "transfer", "threshold", "window", "level", "colormap", "isosurfaces", "size", "view", "settings")
 )
 
@@ -222,17 +222,7 @@ class Session:
             ``preset``, ``size``, ``settings`` and the others of :class:`Session`: the scene is composed anew with these alone. ``settings`` alone is applied
             to the scene, for this picture.
         """
-        unknown = [name for name in look if name not in _LOOK]
-        if unknown:
-            raise TypeError(f"render() has no argument {unknown[0]!r}")
-        if set(look) == {"settings"}:
-            scene = (self.scene if scene is None else scene).copy().set(look["settings"] or {})
-        elif look:
-            if scene is not None:
-                raise InvalidValue("a scene is complete", "leave out " + ", ".join(look) + ", or scene")
-            scene = Scene._of(self._compose(**look).scene)
-        elif scene is None:
-            scene = self.scene
+        scene = self.composed(scene, **look)
         names = None if outputs == "all" else list(outputs)
         if getattr(self._inside, "progress", False):
             raise InvalidValue("the function of `progress` asks for a picture of the session that calls it", "use another session there")
@@ -242,6 +232,18 @@ class Session:
                 return Picture(self._native.render(scene._native, names, tell))
         finally:
             self._inside.progress = False
+
+    def composed(self, scene: Scene | None = None, **look: Any) -> Scene:
+        """The scene that :meth:`render` renders for these arguments."""
+        unknown = [name for name in look if name not in LOOK]
+        if unknown:
+            raise TypeError(f"there is no argument {unknown[0]!r}")
+        if set(look) <= {"settings"}:
+            scene = self.scene if scene is None else scene
+            return scene.copy().set(look["settings"] or {}) if look else scene
+        if scene is not None:
+            raise InvalidValue("a scene is complete", "leave out " + ", ".join(look) + ", or scene")
+        return Scene._of(self._compose(**look).scene)
 
     def turntable(
         self,

@@ -1,6 +1,7 @@
 //! `vitrum turntable`: an animation of the camera going round, or along key frames.
 
 mod over_time;
+mod part;
 mod record;
 mod target;
 mod timeline;
@@ -15,6 +16,7 @@ use crate::output::{self, Bits};
 use crate::progress::Bar;
 use clap::Args;
 use over_time::OverTime;
+use part::Part;
 use record::Record;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -68,6 +70,10 @@ pub struct Arguments {
     #[arg(long)]
     pub resume: bool,
 
+    /// In a folder: render every N-th picture alone, from the I-th, counted from 0; N calls, on any machines, make all of them
+    #[arg(long, value_name = "I/N")]
+    pub part: Option<Part>,
+
     /// Also write the statistics of every frame, with times, as JSON
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
@@ -104,7 +110,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
     let mut target = Target::open(arguments, timeline.start(), timeline.frames())?;
     let record = Record::of(&assets);
+    let part = arguments.part.unwrap_or_default();
     let done = |index: u32, file: Option<PathBuf>| match file {
+        _ if !part.has(index) => Ok(true),
         Some(file) if arguments.resume => record.is_done(&file, &timeline.scene(index)?),
         _ => Ok(false),
     };

@@ -21,6 +21,9 @@ impl<'a> Target<'a> {
             if arguments.resume {
                 return refuse("an animation cannot be resumed", "write to a folder, or leave out --resume");
             }
+            if arguments.part.is_some() {
+                return refuse("an animation cannot be made in parts", "write to a folder, or leave out --part");
+            }
             if arguments.bits != Bits::Eight {
                 return refuse("an animation has 8 bits per channel", "write to a folder, or leave out --bits");
             }
