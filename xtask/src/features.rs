@@ -22,14 +22,14 @@ pub fn run(_arguments: &Arguments) -> Result<(), Failure> {
     let manifest = root().join("crates").join(CRATE).join("Cargo.toml");
     let text =
         fs::read_to_string(&manifest).map_err(|error| Failure::setup(format!("{}: {error}", manifest.display())))?;
-    let alone = ["check", "--package", CRATE, "--no-default-features"];
+    let alone = ["check", "--release", "--package", CRATE, "--no-default-features"];
     run_command(&mut cargo(alone))?;
     for feature in features(&text) {
         run_command(cargo(alone).args(["--features", &feature]))?;
     }
-    run_command(&mut cargo(["test", "--package", CRATE, "--no-default-features", "--test", "left_out"]))?;
+    run_command(&mut cargo(["test", "--release", "--package", CRATE, "--no-default-features", "--test", "left_out"]))?;
     require_target()?;
-    run_command(&mut cargo(["check", "--package", CRATE, "--target", PAGE]))
+    run_command(&mut cargo(["check", "--release", "--package", CRATE, "--target", PAGE]))
 }
 
 /// Fails where the standard library of pages is not installed and rustup cannot fetch it.

@@ -47,9 +47,12 @@ fn verify_in(folder: &Path) -> Result<(), Failure> {
         "Cargo.lock",
         fs::read_to_string(&lock).map_err(|error| Failure::setup(format!("{}: {error}", lock.display())))?,
     )?;
-    // One after the other, so that each has the features that it asks for itself, and where the lints were, so that their dependencies are looked at once.
-    for name in &names {
-        let mut check = cargo(["check", "--release", "--package", package(name)]);
+    // All, with the features of the program, where the lints were: their dependencies have been looked at. Then those that others build on by themselves, with the
+    // features that they ask for alone.
+    let all = ["check", "--release", "--workspace"];
+    let alone = ["check", "--release", "--package", "vitrum"];
+    for arguments in [&all[..], &alone[..]] {
+        let mut check = cargo(arguments.iter().copied());
         run(check.current_dir(&unpacked).env("CARGO_TARGET_DIR", command::target()))?;
     }
     Ok(())

@@ -41,7 +41,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         eprintln!("xtask: {reason}");
         eprintln!("xtask: tests of the GPU backend leave themselves out; the summary lists and counts them");
     }
-    let mut command = cargo(["test", "--release", "--workspace", "--exclude", COMPILER, "--exclude", KERNELS, "--no-fail-fast"]);
+    let mut command =
+        cargo(["test", "--release", "--workspace", "--exclude", COMPILER, "--exclude", KERNELS, "--no-fail-fast"]);
     command.args(&arguments.arguments);
     // Errors against closed forms are held to their bounds, and not only listed.
     command.env("VITRUM_REQUIRE_GPU", requirement(&driver)).env("VITRUM_MEASURE", "0").stdout(Stdio::piped());

@@ -334,7 +334,10 @@ fn parts_of_a_turntable_make_all_of_it() {
     assert_eq!(frames.iter().map(|frame| frame["frame"].as_u64()).collect::<Vec<_>>(), [Some(2)]);
     assert_eq!(fs::read(file("parts", 0)).expect("it is still there"), first);
     for index in [1, 2] {
-        assert_eq!(fs::read(file("parts", index)).expect("a picture"), fs::read(file("turn", index)).expect("a picture"));
+        assert_eq!(
+            fs::read(file("parts", index)).expect("a picture"),
+            fs::read(file("turn", index)).expect("a picture")
+        );
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::Error;
+use crate::error::{Error, Place, Report};
 use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
@@ -10,7 +10,7 @@ use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
 use crate::stored::Stored;
 use crate::tolerance;
-use crate::volume::{IDENTITY, Volume};
+use crate::volume::{IDENTITY, Volume, check_extent, check_spacing};
 
 /// The assumption about formats and files that do not say how the grid lies in the world.
 pub(crate) fn unoriented() -> Assumption {
@@ -133,6 +133,32 @@ impl Placement {
                     .sum::<f32>()
             })
         });
+    }
+}
+
+impl Volume {
+    /// The volume put in its place: `columns` are the world's steps along each index axis, whose lengths become the spacing; `origin` is the position of voxel
+    /// (0, 0, 0), and without it the grid stays centred on the world's origin.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] where a number is not finite, the columns do not span space, or an extent is above 1e18.
+    pub fn with_placement(
+        mut self,
+        columns: [[f64; 3]; 3],
+        origin: Option<[f64; 3]>,
+        orientation: Orientation,
+    ) -> Result<Self, Error> {
+        let report = Report::new(&self.name);
+        let placement = Placement::from_columns(columns, origin, orientation).map_err(|problem| {
+            report.invalid(Place::File, problem, "correct the directions, spacings and the origin")
+        })?;
+        check_spacing(report, placement.spacing)?;
+        check_extent(report, self.dimensions, placement.spacing)?;
+        self.spacing = placement.spacing;
+        self.source.assumptions.extend(placement.shear_note());
+        placement.apply(&mut self);
+        Ok(self)
     }
 }
 

@@ -3,7 +3,6 @@
 use crate::common_range::common_extremes;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
-use crate::placement::Placement;
 use crate::samples::SampleType;
 use crate::shared::Shared;
 use crate::source::{Assumptions, Source};
@@ -165,29 +164,6 @@ impl Volume {
         Ok(self)
     }
 
-    /// The volume put in its place: `columns` are the world's steps along each index axis, whose lengths become the spacing; `origin` is the position of voxel
-    /// (0, 0, 0), and without it the grid stays centred on the world's origin.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Invalid`] where a number is not finite, the columns do not span space, or an extent is above 1e18.
-    pub fn with_placement(
-        mut self,
-        columns: [[f64; 3]; 3],
-        origin: Option<[f64; 3]>,
-        orientation: Orientation,
-    ) -> Result<Self, Error> {
-        let report = Report::new(&self.name);
-        let placement = Placement::from_columns(columns, origin, orientation)
-            .map_err(|problem| report.invalid(Place::File, problem, "correct the directions, spacings and the origin"))?;
-        check_spacing(report, placement.spacing)?;
-        check_extent(report, self.dimensions, placement.spacing)?;
-        self.spacing = placement.spacing;
-        self.source.assumptions.extend(placement.shear_note());
-        placement.apply(&mut self);
-        Ok(self)
-    }
-
     /// The volume with the origin that its reader found; what was told of the volume before stays told.
     pub(crate) fn with_source(mut self, source: Source) -> Self {
         let told = std::mem::replace(&mut self.source, source).assumptions;
@@ -311,7 +287,7 @@ pub(crate) fn check_spacing(report: Report, spacing: [f32; 3]) -> Result<(), Err
 }
 
 /// Far below the end of float32, so that no sum or square root of positions overflows.
-fn check_extent(report: Report, dimensions: [u32; 3], spacing: [f32; 3]) -> Result<(), Error> {
+pub(crate) fn check_extent(report: Report, dimensions: [u32; 3], spacing: [f32; 3]) -> Result<(), Error> {
     const LARGEST: f32 = 1e18;
     let extents = dimensions.iter().zip(spacing).map(|(&size, spacing)| size as f32 * spacing);
     let largest = extents.fold(0.0, f32::max);

@@ -12,9 +12,8 @@ pub fn diff(py: Python<'_>, a: PyReadonlyArray3<'_, f32>, b: PyReadonlyArray3<'_
     let (Ok(width), Ok(height)) = size(a.shape()) else {
         return Err(Failure::value("the picture is too large", "compare parts of it").into());
     };
-    let pixels = |array: &PyReadonlyArray3<'_, f32>| -> PyResult<Vec<[f32; 3]>> {
-        Ok(array.as_slice()?.as_chunks().0.to_vec())
-    };
+    let pixels =
+        |array: &PyReadonlyArray3<'_, f32>| -> PyResult<Vec<[f32; 3]>> { Ok(array.as_slice()?.as_chunks().0.to_vec()) };
     let (a, b) = (pixels(&a)?, pixels(&b)?);
     let compared = py.detach(|| compare(&a, &b, width, height));
     let compared = compared.map_err(|error| Failure::value(error.to_string(), "compare pictures of one size"))?;

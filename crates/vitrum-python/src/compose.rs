@@ -75,10 +75,11 @@ fn sources(scene: &scene::Scene) -> scene::Scene {
         sources.environment.kind = EnvironmentKind::Map;
         sources.environment.file.clone_from(&scene.environment.file);
     }
-    sources.medium = scene.medium.as_ref().and_then(|medium| medium.density.clone()).map(|density| scene::Medium {
-        density: Some(density),
-        ..scene::Medium::default()
-    });
+    sources.medium = scene
+        .medium
+        .as_ref()
+        .and_then(|medium| medium.density.clone())
+        .map(|density| scene::Medium { density: Some(density), ..scene::Medium::default() });
     sources
 }
 
@@ -131,9 +132,12 @@ pub fn compose(
         "draft" => Ok(Quality::Draft),
         "good" => Ok(Quality::Good),
         "best" => Ok(Quality::Best),
-        other => Err(Failure::value(format!("there is no quality {other:?}"), "the qualities are draft, good and best")),
+        other => {
+            Err(Failure::value(format!("there is no quality {other:?}"), "the qualities are draft, good and best"))
+        }
     });
-    let surface = |text: &String| text.parse::<Surface>().map_err(|problem| Failure::value(problem, "see `isosurfaces`"));
+    let surface =
+        |text: &String| text.parse::<Surface>().map_err(|problem| Failure::value(problem, "see `isosurfaces`"));
     let side = view.map(|name| {
         let known = Side::ALL.into_iter().find(|side| side.name() == name);
         let sides = Side::ALL.map(Side::name).join(", ");
@@ -169,7 +173,8 @@ pub fn compose(
         vitrum::check(&composed.scene, &composed.assets)?;
         Ok(composed)
     })?;
-    let data = Data { sources: sources(&composed.scene), assets: composed.assets, base: composed.base, memory, max_bytes };
+    let data =
+        Data { sources: sources(&composed.scene), assets: composed.assets, base: composed.base, memory, max_bytes };
     Ok(Composed { scene: composed.scene, notes: composed.notes, data })
 }
 

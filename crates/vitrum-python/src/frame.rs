@@ -34,7 +34,11 @@ fn interleaved<'py>(py: Python<'py>, picture: &Picture) -> PyResult<Bound<'py, P
 impl Frame {
     /// The picture for a screen, with straight alpha and annotations.
     fn on_screen(&self, opaque: bool) -> Result<Picture, Failure> {
-        let color = vitrum::Frame { layers: self.frame.layers.iter().take(1).cloned().collect(), light: None, ..self.frame.clone() };
+        let color = vitrum::Frame {
+            layers: self.frame.layers.iter().take(1).cloned().collect(),
+            light: None,
+            ..self.frame.clone()
+        };
         Ok(screen_picture(color, self.overlay.as_ref(), opaque)?)
     }
 }

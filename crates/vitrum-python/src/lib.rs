@@ -3,6 +3,8 @@
 //! The classes are thin: arguments are checked and made comfortable in Python (`python/vitrum_render`), work is done by the package `vitrum`. Work runs without the
 //! interpreter's lock, on threads that belong to this process alone.
 
+#![allow(clippy::needless_pass_by_value, reason = "Python hands arguments over by value")]
+
 mod array;
 mod compare;
 mod compose;

@@ -51,7 +51,8 @@ impl Scene {
 
     /// Every key that has a value, as JSON.
     fn to_json(&self) -> PyResult<String> {
-        let failed = |error: serde_json::Error| Failure::value(error.to_string(), "use file names that are valid Unicode");
+        let failed =
+            |error: serde_json::Error| Failure::value(error.to_string(), "use file names that are valid Unicode");
         Ok(serde_json::to_string(&self.0).map_err(failed)?)
     }
 

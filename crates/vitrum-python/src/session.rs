@@ -95,8 +95,7 @@ impl Session {
             device.set_volume_limit(memory_limit);
             let falls_back = by_itself && device.name() != "cpu";
             let renderer = Renderer::new(device, data.assets.clone());
-            let renderer =
-                if falls_back { renderer.with_fallback(Box::new(move |_| open_cpu())) } else { renderer };
+            let renderer = if falls_back { renderer.with_fallback(Box::new(move |_| open_cpu())) } else { renderer };
             Ok(State { renderer, data })
         })?;
         Ok(Self { process: std::process::id(), state: Mutex::new(Some(state)) })

@@ -10,16 +10,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrum::io::{self, OpenOptions, Orientation, Voxels};
 
+/// Value, name and colour (sRGB) of a label.
+type Label = (f32, String, Option<[f64; 3]>);
+
 /// A scalar volume in memory.
 #[pyclass(frozen, module = "vitrum_render._native")]
 #[derive(Clone)]
 pub struct Volume(pub Arc<io::Volume>);
 
 /// x fastest is the last axis fastest: an array (z, y, x) in C order is taken as it lies, with room behind it.
-fn values<T: numpy::Element + Copy>(array: &PyReadonlyArray3<'_, T>) -> PyResult<Vec<T>>
-where
-    T: Default,
-{
+fn values<T: numpy::Element + Copy>(array: &PyReadonlyArray3<'_, T>) -> PyResult<Vec<T>> {
     let count = array.len();
     let mut values = Vec::new();
     // Memory that is not there is Python's MemoryError, as NumPy has it.
@@ -139,7 +139,7 @@ impl Volume {
 
     /// Numbers, names and colours (sRGB) of labels; `None` of measurements.
     #[getter]
-    fn labels(&self) -> Option<Vec<(f32, String, Option<[f64; 3]>)>> {
+    fn labels(&self) -> Option<Vec<Label>> {
         let labels = self.0.source.labels()?;
         Some(labels.list.iter().map(|label| (label.value, label.name.clone(), label.color)).collect())
     }
@@ -182,14 +182,12 @@ pub fn open(
     };
     let threads = process::threads()?;
     if options.raw.is_none() && is_mesh(&path) {
-        let read = |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| {
-            Ok(threads.run(|| io::open_mesh(&path, &options))?)
-        };
+        let read =
+            |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| Ok(threads.run(|| io::open_mesh(&path, &options))?);
         let mesh = work::run(py, None, read)?;
         return Ok(Py::new(py, crate::mesh::Mesh(Arc::new(mesh)))?.into_any());
     }
-    let read =
-        |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| Ok(threads.run(|| io::open(&path, &options))?);
+    let read = |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| Ok(threads.run(|| io::open(&path, &options))?);
     let volume = work::run(py, None, read)?;
     Ok(Py::new(py, Volume(Arc::new(volume)))?.into_any())
 }

@@ -14,11 +14,11 @@ pub mod step;
 pub mod table;
 pub mod turned;
 
-use vitrum::{Frame, OutputRequest, render_requested};
 use vitrum::backend::Backend;
 use vitrum::io::{Volume, Voxels};
 use vitrum::method::sweep::Sweep;
 use vitrum::scene::{IorPoint, OpacityPoint, Projection, Scene};
+use vitrum::{Frame, OutputRequest, render_requested};
 
 /// A cube of `n`³ voxels with edge `size`, centred at the origin, holding `field` at the voxels' centres.
 ///

@@ -2,7 +2,9 @@
 
 use vitrum::backend::Backend;
 use vitrum_conformance::adapter;
-pub use vitrum_conformance::closed_forms::{cube, end, light_on_planes, refracting, render, render_with_light, straight_on};
+pub use vitrum_conformance::closed_forms::{
+    cube, end, light_on_planes, refracting, render, render_with_light, straight_on,
+};
 
 /// Both backends; the CPU's alone where there is no adapter and none is required.
 pub fn backends() -> Vec<Box<dyn Backend>> {

@@ -31,7 +31,9 @@ impl FromStr for Part {
         let part = text.split_once('/').and_then(|(index, count)| Some((number(index)?, number(count)?)));
         match part {
             Some((index, count)) if index < count => Ok(Self { index, count }),
-            Some((_, count @ 1..)) => Err(format!("of {count} parts the first is 0/{count}, and the last {}/{count}", count - 1)),
+            Some((_, count @ 1..)) => {
+                Err(format!("of {count} parts the first is 0/{count}, and the last {}/{count}", count - 1))
+            }
             _ => Err("expected I/N, such as 0/4, the first of four parts".to_owned()),
         }
     }
@@ -52,7 +54,9 @@ mod tests {
 
     #[test]
     fn texts_that_are_no_part_are_refused() {
-        for (text, expected) in [("3/3", "the last 2/3"), ("0/0", "such as 0/4"), ("1", "such as 0/4"), ("-1/2", "such as 0/4")] {
+        for (text, expected) in
+            [("3/3", "the last 2/3"), ("0/0", "such as 0/4"), ("1", "such as 0/4"), ("-1/2", "such as 0/4")]
+        {
             let refused = text.parse::<Part>().expect_err(text);
             assert!(refused.contains(expected), "{refused}");
         }
