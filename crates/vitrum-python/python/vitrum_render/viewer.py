@@ -55,7 +55,7 @@ class Viewer(anywidget.AnyWidget):
     _presets = traitlets.Dict(read_only=True).tag(sync=True)
     # What there is to change: lights that have a direction, points of opacity, indices of refraction.
     _has = traitlets.Dict(read_only=True).tag(sync=True)
-    _size = traitlets.List(read_only=True).tag(sync=True)
+    _size = traitlets.List(traitlets.Int(), read_only=True).tag(sync=True)
     _moves = traitlets.Bool(False).tag(sync=True)
     _message = traitlets.Unicode("", read_only=True).tag(sync=True)
     # The picture's file, and what it is.

@@ -39,6 +39,8 @@ function render({ model, el }) {
   const controls = element("div", { className: "vitrum-controls" });
   const message = element("div", { className: "vitrum-message" });
   const root = element("div", { className: "vitrum" }, element("style", { textContent: STYLE }), picture, controls, message);
+  // JupyterLab, whose keys these would be, too, leaves them to the widget.
+  root.dataset.lmSuppressShortcuts = "true";
   el.append(root);
 
   // Changes of one frame of the screen travel together.
