@@ -59,6 +59,9 @@ impl Viewer {
         if ui.add_enabled(is_open, Button::new("Save picture …").shortcut_text("Ctrl+E")).clicked() {
             self.ask_save_picture();
         }
+        if ui.add_enabled(is_open, Button::new("Save animation …")).clicked() {
+            self.ask_save_animation();
+        }
         if ui.add_enabled(is_open, Button::new("Save scene …").shortcut_text("Ctrl+S")).clicked() {
             self.ask_save_scene();
         }

@@ -1,5 +1,6 @@
 //! The window's contents.
 
+mod animation;
 mod canvas;
 mod dialogs;
 mod files;
@@ -11,6 +12,7 @@ mod side;
 mod start;
 mod status;
 
+pub use animation::AnimationChoice;
 pub use pictures::Standing;
 
 use crate::chooser::Chooser;
@@ -72,12 +74,19 @@ pub struct Viewer {
     /// How many of them are still to come.
     sketching: usize,
     dialog: Option<Dialog>,
-    exporting: Option<PathBuf>,
+    exporting: Option<Exporting>,
     selected_light: usize,
     /// The panels of all keys.
     panels: Panels,
     /// The document's scene as data was last read for it.
     read_for: Option<vitrum::scene::Scene>,
+}
+
+/// What is rendered into files.
+struct Exporting {
+    file: PathBuf,
+    /// The picture of an animation that is being made, counted from 1, and the number of all.
+    picture: Option<[u32; 2]>,
 }
 
 /// A dialog that is open.
@@ -86,6 +95,7 @@ enum Dialog {
     SaveScene(Chooser),
     /// The size of the picture stands beside.
     SavePicture(Chooser, [u32; 2]),
+    SaveAnimation(Chooser, AnimationChoice),
     Keys,
     About,
 }
@@ -197,6 +207,23 @@ impl Viewer {
     #[must_use]
     pub fn is_sketching(&self) -> bool {
         self.sketching > 0
+    }
+
+    /// Whether a file is being read.
+    #[must_use]
+    pub fn is_loading(&self) -> bool {
+        self.loading.is_some()
+    }
+
+    /// Whether a dialog is open.
+    #[must_use]
+    pub fn has_dialog(&self) -> bool {
+        self.dialog.is_some()
+    }
+
+    /// Closes the dialog that is open.
+    pub fn close_dialog(&mut self) {
+        self.dialog = None;
     }
 
     /// Asks for a thumbnail.
