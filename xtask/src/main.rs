@@ -17,6 +17,7 @@ mod fuzz;
 mod man;
 mod package;
 mod peers;
+mod screen;
 mod shaders;
 mod steps;
 mod test;

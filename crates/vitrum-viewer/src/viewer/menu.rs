@@ -121,6 +121,9 @@ impl Viewer {
         let bounds = document.bounds();
         let is_patient =
             document.data.assets.subject.volume().map(|volume| volume.orientation) == Some(Orientation::Patient);
+        if document.editor.has_volume() {
+            ui.checkbox(&mut self.has_handles, "Handles of crop box and planes");
+        }
         let scene = &mut document.scene;
         ui.menu_button("Look from", |ui| {
             for side in Side::ALL {

@@ -4,6 +4,7 @@ mod animation;
 mod canvas;
 mod dialogs;
 mod files;
+mod handles;
 mod keys;
 mod marks;
 mod menu;
@@ -76,6 +77,8 @@ pub struct Viewer {
     dialog: Option<Dialog>,
     exporting: Option<Exporting>,
     selected_light: usize,
+    /// Whether the crop box and clipping planes have handles in the picture.
+    has_handles: bool,
     /// The panels of all keys.
     panels: Panels,
     /// The document's scene as data was last read for it.
@@ -133,6 +136,7 @@ impl Viewer {
             dialog: None,
             exporting: None,
             selected_light: 0,
+            has_handles: false,
             panels: Panels::default(),
             read_for: None,
         };
@@ -213,6 +217,11 @@ impl Viewer {
     #[must_use]
     pub fn is_loading(&self) -> bool {
         self.loading.is_some()
+    }
+
+    /// Shows or hides the handles of the crop box and the clipping planes.
+    pub fn show_handles(&mut self, shown: bool) {
+        self.has_handles = shown;
     }
 
     /// Whether a dialog is open.

@@ -1,6 +1,6 @@
 //! A user who does anything: drags, clicks, turns the wheel and presses keys at random, in a window without a display.
 
-use eframe::egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Ui, vec2};
+use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Ui, vec2};
 use egui_kittest::Harness;
 use std::time::Duration;
 use vitrum::backend::Choice;
@@ -117,8 +117,8 @@ impl RandomUser {
                 let place = self.random.place();
                 self.window.hover_at(place);
                 let delta = vec2(0.0, self.random.below(200) as f32 - 100.0);
-                let (unit, phase) = (MouseWheelUnit::Point, TouchPhase::Move);
-                self.window.event(Event::MouseWheel { unit, delta, phase, modifiers });
+                let (unit, source, phase) = (MouseWheelUnit::Point, MouseWheelSource::Unknown, TouchPhase::Move);
+                self.window.event(Event::MouseWheel { unit, source, delta, phase, modifiers });
                 self.window.step();
             }
             _ => {
