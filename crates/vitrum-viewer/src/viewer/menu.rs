@@ -3,7 +3,7 @@
 use super::{Dialog, Viewer, marks};
 use crate::navigation;
 use crate::scene_history::SceneHistory;
-use eframe::egui::{Button, MenuBar, Panel, Ui, ViewportCommand, widgets};
+use eframe::egui::{Button, MenuBar, Panel, ThemePreference, Ui, ViewportCommand};
 use vitrum::backend::Choice;
 use vitrum::builtin;
 use vitrum::composition::Side;
@@ -113,7 +113,16 @@ impl Viewer {
             }
         });
         ui.separator();
-        widgets::global_theme_preference_buttons(ui);
+        // Not egui's own buttons: the font lacks their signs.
+        let mut theme = ui.ctx().options(|options| options.theme_preference);
+        for (choice, name) in [
+            (ThemePreference::System, "As the system"),
+            (ThemePreference::Light, "Light"),
+            (ThemePreference::Dark, "Dark"),
+        ] {
+            ui.radio_value(&mut theme, choice, name);
+        }
+        ui.ctx().set_theme(theme);
     }
 
     fn camera_menu(&mut self, ui: &mut Ui) {
