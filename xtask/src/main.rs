@@ -19,6 +19,7 @@ mod man;
 mod package;
 mod peers;
 mod python;
+mod screen;
 mod shaders;
 mod steps;
 mod test;

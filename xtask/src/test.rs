@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use crate::command::{announce, cargo, not_started, require_success};
 use crate::failure::Failure;
+use crate::screen;
 use crate::shaders::COMPILER;
 use crate::vulkan::{self, Driver, Installation};
 
@@ -17,7 +18,8 @@ const KERNELS: &str = "vitrum-kernels";
 
 /// Run all tests with both backends; a missing Vulkan driver is installed where that is possible, else a failure.
 ///
-/// What will be installed is said first: Mesa's software driver for Vulkan, on Debian and Ubuntu, as root. Nothing else is.
+/// What will be installed is said first: Mesa's software driver for Vulkan, and Xvfb and xdotool for the real window, on Debian and Ubuntu, as root.
+/// Nothing else is.
 #[derive(clap::Args, Default)]
 pub struct Arguments {
     /// Install nothing. Without a Vulkan driver, tests of the GPU backend are left out; the summary says so and counts them.
@@ -37,6 +39,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let installation = if arguments.no_install { Installation::Forbidden } else { Installation::Allowed };
     let driver = vulkan::driver(installation)?;
+    screen::install_missing(installation);
     if let Driver::Missing(reason) = &driver {
         eprintln!("xtask: {reason}");
         eprintln!("xtask: tests of the GPU backend leave themselves out; the summary lists and counts them");

@@ -101,13 +101,13 @@ fn find_driver() -> Result<String, Failure> {
 }
 
 /// The command that fetches Debian's lists of packages, without which it may find none.
-const UPDATE: &[&str] = &["apt-get", "update"];
+pub const UPDATE: &[&str] = &["apt-get", "update"];
 
-fn run_apt(command: &[&str]) -> Result<(), Failure> {
+pub fn run_apt(command: &[&str]) -> Result<(), Failure> {
     run(program(command[0]).args(&command[1..]).env("DEBIAN_FRONTEND", "noninteractive"))
 }
 
-fn is_root() -> bool {
+pub fn is_root() -> bool {
     Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout.trim_ascii() == b"0")
 }
 

@@ -1,5 +1,6 @@
 //! Navigation: the camera of the scene under the hand.
 
+use glam::DVec3;
 use vitrum::method::{Bounds, View};
 use vitrum::scene::{Camera, Light, Projection, Scene};
 
@@ -11,6 +12,27 @@ const STEEPEST: f32 = 89.0;
 
 /// Zooms that scenes have.
 const ZOOMS: [f32; 2] = [0.01, 100.0];
+
+/// What is shown, as the camera of a scene sees it.
+pub struct Placed {
+    view: View,
+    size: [u32; 2],
+    /// The box around what is shown.
+    pub bounds: Bounds,
+}
+
+impl Placed {
+    /// What the scene's camera sees of what lies in `bounds`.
+    pub fn new(scene: &Scene, bounds: Bounds) -> Self {
+        Self { view: View::new(scene, bounds), size: [scene.film.width, scene.film.height], bounds }
+    }
+
+    /// The picture's place of a point of the world, in shares of its width and height from the upper left corner; `None` behind the eye.
+    pub fn share(&self, world: DVec3) -> Option<[f64; 2]> {
+        let [x, y] = self.view.project(world, self.size)?;
+        Some([x / f64::from(self.size[0]), y / f64::from(self.size[1])])
+    }
+}
 
 /// Turns the camera around its target, as if the hand turned what is shown: by `delta`, in shares of the picture's shorter side, to the right and downwards.
 pub fn orbit(scene: &mut Scene, bounds: Bounds, delta: [f32; 2]) {

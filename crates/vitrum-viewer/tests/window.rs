@@ -6,6 +6,8 @@ use egui_kittest::kittest::Queryable as _;
 use std::time::{Duration, Instant};
 use vitrum::backend::Choice;
 use vitrum::composition::{Composed, Composition};
+use vitrum::scene::{Clip, Motion};
+use vitrum_viewer::viewer::AnimationChoice;
 use vitrum_viewer::worker::DeviceOptions;
 use vitrum_viewer::{Options, Viewer};
 
@@ -126,6 +128,73 @@ fn the_complete_picture_is_that_of_the_saved_scene() {
     assert!(standing.shown.pixels == exact, "the window and the library differ");
     let written = vitrum::io::read_picture(&picture).expect("it was written").to_srgb8();
     assert!(written == exact, "the file and the library differ");
+}
+
+#[test]
+fn a_turntable_is_the_command_lines_and_one_that_is_given_up_leaves_nothing() {
+    let mut window = with_ball();
+    let folder = tempfile::tempdir().expect("a folder");
+    let wanted = folder.path().join("turn");
+    let choice = AnimationChoice { size: [32, 24], frames: 3, ..AnimationChoice::default() };
+    viewer(&mut window).save_animation(&wanted, &choice);
+    until(&mut window, "the animation", |viewer| !viewer.is_exporting());
+    let document = viewer(&mut window).document().expect("it is open");
+    let (mut scene, assets) = (document.scene.clone(), document.data.assets.clone());
+    [scene.film.width, scene.film.height] = choice.size;
+    let start = vitrum::framed_all_round(&scene, &assets).expect("a scene");
+    let mut backend = vitrum::backend::CpuBackend::new(Some(1)).expect("a thread");
+    for index in 0..3 {
+        let scene = Motion::Turn(360.0).at(&start, index, 3).expect("a scene");
+        let frame = vitrum::render(&scene, &assets, &mut backend, &mut |_| true).expect("a frame");
+        let exact = vitrum_annotations::screen_picture(frame, None, false).expect("a picture").to_srgb8();
+        let file = vitrum::io::Animation::frame_file(&wanted, index);
+        let written = vitrum::io::read_picture(&file).expect("it was written").to_srgb8();
+        assert!(written == exact, "picture {index} differs");
+    }
+    let given_up = folder.path().join("given up");
+    viewer(&mut window).save_animation(&given_up, &AnimationChoice { frames: 100_000, ..choice.clone() });
+    window.step();
+    viewer(&mut window).cancel_export();
+    until(&mut window, "the end", |viewer| !viewer.is_exporting());
+    // What is there already is kept.
+    viewer(&mut window).save_animation(&wanted, &choice);
+    until(&mut window, "the message", |viewer| viewer.trouble().is_some());
+    let names: Vec<_> = folder.path().read_dir().expect("a folder").flatten().map(|entry| entry.file_name()).collect();
+    assert_eq!(names, ["turn"]);
+}
+
+#[test]
+fn a_face_of_the_crop_box_and_a_plane_are_dragged_in_the_picture() {
+    let mut window = with_ball();
+    viewer(&mut window).document_mut().expect("it is open").scene.clip = vec![Clip::default()];
+    viewer(&mut window).show_handles(true);
+    window.run_steps(2);
+    let drag = |window: &mut Window<'_>, name: &str, by: [f32; 2]| {
+        let place = window.get_by_label(name).rect().center();
+        window.drag_at(place);
+        window.step();
+        window.hover_at(place + vec2(by[0], by[1]));
+        window.step();
+        window.drop_at(place + vec2(by[0], by[1]));
+        window.step();
+        window.get_by_label(name).rect().center() - place
+    };
+    let before = azimuth(&mut window);
+    // The handle goes along its axis, and no further than the hand.
+    let moved = drag(&mut window, "Crop z high", [0.0, 60.0]);
+    let scene = viewer(&mut window).document().expect("it is open").scene.clone();
+    let crop = scene.crop.expect("a crop box");
+    assert!(crop.max[2] < 0.95 && crop.max[..2] == [1.0; 2] && crop.min == [0.0; 3], "{crop:?}");
+    assert!((moved.y - 60.0).abs() < 12.0, "{moved:?}");
+    drag(&mut window, "Clipping plane 1", [30.0, 25.0]);
+    let scene = viewer(&mut window).document().expect("it is open").scene.clone();
+    assert_ne!(scene.clip[0].offset, 0.0);
+    assert_eq!(azimuth(&mut window), before);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    window.step();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    window.step();
+    assert_eq!(viewer(&mut window).document().expect("it is open").scene.crop, None);
 }
 
 #[test]

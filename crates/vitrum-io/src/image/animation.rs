@@ -78,6 +78,12 @@ impl Animation {
         Ok(Self { path: path.to_owned(), beside, encoder, size, frames, left: frames, rate: rate.max(1) })
     }
 
+    /// The file of a frame where an animation is a folder of pictures.
+    #[must_use]
+    pub fn frame_file(folder: &Path, index: u32) -> PathBuf {
+        folder.join(format!("frame-{index:05}.png"))
+    }
+
     /// Adds a frame: the picture's first layer as sRGB with straight alpha.
     ///
     /// # Errors

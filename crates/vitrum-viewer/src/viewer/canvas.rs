@@ -1,7 +1,7 @@
 //! The picture in the middle, and the hand on it.
 
-use super::Viewer;
-use crate::navigation;
+use super::{Viewer, handles};
+use crate::navigation::{self, Placed};
 use eframe::egui::{
     Align2, CentralPanel, Color32, CursorIcon, FontId, Frame, Key, PointerButton, Pos2, Rect, Response, Role, Sense,
     Ui, Vec2, WidgetInfo, vec2,
@@ -35,6 +35,10 @@ impl Viewer {
                 ui.painter().text(place.center(), Align2::CENTER_CENTER, text, font, ui.visuals().weak_text_color());
             }
             self.navigate(ui, &response, picture);
+            if let Some(document) = self.document.as_mut().filter(|one| self.has_handles && one.editor.has_volume()) {
+                let placed = Placed::new(&document.scene, document.bounds());
+                handles::show(ui, &placed, picture, &mut document.scene);
+            }
             self.trouble_over(ui, place);
         });
     }

@@ -65,6 +65,7 @@ impl Viewer {
                     ui.weak(".png, .jpg, .exr with all outputs, .hdr or .tif");
                 });
             }),
+            Dialog::SaveAnimation(chooser, animation) => chooser.show(context, |ui| animation.show(ui)),
             Dialog::Keys => {
                 Window::new("Mouse and keys").collapsible(false).resizable(false).open(&mut open).show(context, keys);
                 Choice::Open
@@ -84,6 +85,7 @@ impl Viewer {
             (Choice::Chosen(path), Dialog::Open(_)) => self.open(&path.display().to_string()),
             (Choice::Chosen(path), Dialog::SaveScene(_)) => self.save_scene(&path),
             (Choice::Chosen(path), Dialog::SavePicture(_, size)) => self.save_picture(&path, size),
+            (Choice::Chosen(path), Dialog::SaveAnimation(_, animation)) => self.save_animation(&path, &animation),
             (Choice::Chosen(_), Dialog::Keys | Dialog::About) => {}
         }
     }

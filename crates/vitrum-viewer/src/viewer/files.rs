@@ -1,6 +1,6 @@
 //! Files: opening, dropping, watching, saving, and what is saved by itself.
 
-use super::{Dialog, Viewer};
+use super::{Dialog, Exporting, Viewer};
 use crate::chooser::{Chooser, Purpose};
 use crate::document::{Document, sources};
 use crate::loader::{Loaded, Loading, Request};
@@ -146,7 +146,7 @@ impl Viewer {
     }
 
     /// The folder that dialogs start at.
-    fn folder(&self) -> PathBuf {
+    pub(super) fn folder(&self) -> PathBuf {
         let of_input = self.session.recent.iter().map(Path::new).find(|path| path.exists()).and_then(Path::parent);
         let here = || std::env::current_dir().unwrap_or_default();
         of_input.filter(|folder| folder.is_dir()).map_or_else(here, Path::to_owned)
@@ -189,7 +189,7 @@ impl Viewer {
         let mut scene = document.scene.clone();
         [scene.film.width, scene.film.height] = size;
         let file = file.to_owned();
-        self.exporting = Some(file.clone());
+        self.exporting = Some(Exporting { file: file.clone(), picture: None });
         self.worker.export(Export { scene, data: document.data.clone(), file, backend: self.backend });
     }
 

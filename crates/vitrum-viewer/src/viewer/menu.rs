@@ -3,7 +3,7 @@
 use super::{Dialog, Viewer, marks};
 use crate::navigation;
 use crate::scene_history::SceneHistory;
-use eframe::egui::{Button, MenuBar, Panel, Ui, ViewportCommand, widgets};
+use eframe::egui::{Button, MenuBar, Panel, ThemePreference, Ui, ViewportCommand};
 use vitrum::backend::Choice;
 use vitrum::builtin;
 use vitrum::composition::Side;
@@ -59,6 +59,9 @@ impl Viewer {
         if ui.add_enabled(is_open, Button::new("Save picture …").shortcut_text("Ctrl+E")).clicked() {
             self.ask_save_picture();
         }
+        if ui.add_enabled(is_open, Button::new("Save animation …")).clicked() {
+            self.ask_save_animation();
+        }
         if ui.add_enabled(is_open, Button::new("Save scene …").shortcut_text("Ctrl+S")).clicked() {
             self.ask_save_scene();
         }
@@ -110,7 +113,16 @@ impl Viewer {
             }
         });
         ui.separator();
-        widgets::global_theme_preference_buttons(ui);
+        // Not egui's own buttons: the font lacks their signs.
+        let mut theme = ui.ctx().options(|options| options.theme_preference);
+        for (choice, name) in [
+            (ThemePreference::System, "As the system"),
+            (ThemePreference::Light, "Light"),
+            (ThemePreference::Dark, "Dark"),
+        ] {
+            ui.radio_value(&mut theme, choice, name);
+        }
+        ui.ctx().set_theme(theme);
     }
 
     fn camera_menu(&mut self, ui: &mut Ui) {
@@ -118,6 +130,9 @@ impl Viewer {
         let bounds = document.bounds();
         let is_patient =
             document.data.assets.subject.volume().map(|volume| volume.orientation) == Some(Orientation::Patient);
+        if document.editor.has_volume() {
+            ui.checkbox(&mut self.has_handles, "Handles of crop box and planes");
+        }
         let scene = &mut document.scene;
         ui.menu_button("Look from", |ui| {
             for side in Side::ALL {

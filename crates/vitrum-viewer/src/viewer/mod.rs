@@ -1,8 +1,10 @@
 //! The window's contents.
 
+mod animation;
 mod canvas;
 mod dialogs;
 mod files;
+mod handles;
 mod keys;
 mod marks;
 mod menu;
@@ -11,6 +13,7 @@ mod side;
 mod start;
 mod status;
 
+pub use animation::AnimationChoice;
 pub use pictures::Standing;
 
 use crate::chooser::Chooser;
@@ -72,12 +75,21 @@ pub struct Viewer {
     /// How many of them are still to come.
     sketching: usize,
     dialog: Option<Dialog>,
-    exporting: Option<PathBuf>,
+    exporting: Option<Exporting>,
     selected_light: usize,
+    /// Whether the crop box and clipping planes have handles in the picture.
+    has_handles: bool,
     /// The panels of all keys.
     panels: Panels,
     /// The document's scene as data was last read for it.
     read_for: Option<vitrum::scene::Scene>,
+}
+
+/// What is rendered into files.
+struct Exporting {
+    file: PathBuf,
+    /// The picture of an animation that is being made, counted from 1, and the number of all.
+    picture: Option<[u32; 2]>,
 }
 
 /// A dialog that is open.
@@ -86,6 +98,7 @@ enum Dialog {
     SaveScene(Chooser),
     /// The size of the picture stands beside.
     SavePicture(Chooser, [u32; 2]),
+    SaveAnimation(Chooser, AnimationChoice),
     Keys,
     About,
 }
@@ -123,6 +136,7 @@ impl Viewer {
             dialog: None,
             exporting: None,
             selected_light: 0,
+            has_handles: false,
             panels: Panels::default(),
             read_for: None,
         };
@@ -197,6 +211,28 @@ impl Viewer {
     #[must_use]
     pub fn is_sketching(&self) -> bool {
         self.sketching > 0
+    }
+
+    /// Whether a file is being read.
+    #[must_use]
+    pub fn is_loading(&self) -> bool {
+        self.loading.is_some()
+    }
+
+    /// Shows or hides the handles of the crop box and the clipping planes.
+    pub fn show_handles(&mut self, shown: bool) {
+        self.has_handles = shown;
+    }
+
+    /// Whether a dialog is open.
+    #[must_use]
+    pub fn has_dialog(&self) -> bool {
+        self.dialog.is_some()
+    }
+
+    /// Closes the dialog that is open.
+    pub fn close_dialog(&mut self) {
+        self.dialog = None;
     }
 
     /// Asks for a thumbnail.

@@ -151,9 +151,14 @@ impl Viewer {
                         self.sketching = self.sketching.saturating_sub(1);
                     }
                 }
+                Reply::Exporting { picture, of } => {
+                    if let Some(exporting) = &mut self.exporting {
+                        exporting.picture = Some([picture, of]);
+                    }
+                }
                 Reply::Exported { file } => {
                     self.exporting = None;
-                    self.notes.push(format!("the picture is in {}", file.display()));
+                    self.notes.push(format!("what was rendered is in {}", file.display()));
                 }
                 Reply::NotExported { trouble } => {
                     self.exporting = None;

@@ -1,6 +1,6 @@
 //! The status bar at the bottom.
 
-use super::Viewer;
+use super::{Exporting, Viewer};
 use eframe::egui::{Align, Layout, Panel, ProgressBar, Ui};
 
 impl Viewer {
@@ -10,7 +10,7 @@ impl Viewer {
                 ui.label(self.state());
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     if self.exporting.is_some() && ui.button("Cancel").clicked() {
-                        self.worker.cancel_export();
+                        self.cancel_export();
                     }
                     let busy = self.pictures.is_waiting() || self.exporting.is_some();
                     if let Some(progress) = self.worker.progress().filter(|_| busy) {
@@ -34,8 +34,9 @@ impl Viewer {
         if let Some(loading) = &self.loading {
             return format!("Reading {} …", loading.name);
         }
-        if let Some(file) = &self.exporting {
-            return format!("Rendering {} …", file.display());
+        if let Some(Exporting { file, picture }) = &self.exporting {
+            let part = picture.map_or_else(String::new, |[one, all]| format!(", picture {one} of {all}"));
+            return format!("Rendering {}{part} …", file.display());
         }
         let Some(standing) = self.pictures.standing() else { return String::new() };
         let [width, height] = standing.shown.size;

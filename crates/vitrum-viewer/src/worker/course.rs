@@ -9,6 +9,7 @@ use super::request::{Data, Export, Reply, Sketch, SketchSubject, View, Wake};
 use crate::document::with_preset;
 use crate::trouble::Trouble;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -31,7 +32,7 @@ struct Open {
 
 /// The thread's state.
 pub(super) struct Course {
-    mailbox: Arc<Mailbox>,
+    pub(super) mailbox: Arc<Mailbox>,
     progress: Arc<Mutex<Option<Progress>>>,
     replies: Sender<Reply>,
     wake: Wake,
@@ -43,7 +44,7 @@ pub(super) struct Course {
 }
 
 /// Why a picture is not there: given up, or failed.
-enum End {
+pub(super) enum End {
     GivenUp,
     Failed(Trouble),
 }
@@ -71,7 +72,7 @@ impl Course {
         while let Some(task) = self.mailbox.take() {
             let number = match &task {
                 Task::View(view) => Some(view.number),
-                Task::Export(_) | Task::Sketch(_) => None,
+                Task::Export(_) | Task::Animation(_) | Task::Sketch(_) => None,
             };
             // A fault of the program costs one picture, and not what the user has done.
             let done = catch_unwind(AssertUnwindSafe(|| self.work(task)));
@@ -90,7 +91,7 @@ impl Course {
         }
     }
 
-    fn reply(&self, reply: Reply) {
+    pub(super) fn reply(&self, reply: Reply) {
         // Without a window there is nobody to tell.
         let _ = self.replies.send(reply);
         (self.wake)();
@@ -110,12 +111,12 @@ impl Course {
                 }
             }
             Task::Export(export) => {
-                let reply = match self.export(&export) {
-                    Ok(()) => Reply::Exported { file: export.file.clone() },
-                    Err(End::GivenUp) => Reply::NotExported { trouble: None },
-                    Err(End::Failed(trouble)) => Reply::NotExported { trouble: Some(trouble) },
-                };
-                self.reply(reply);
+                let outcome = self.export(&export);
+                self.tell_exported(outcome, export.file);
+            }
+            Task::Animation(animation) => {
+                let outcome = self.animate(&animation);
+                self.tell_exported(outcome, animation.export.file);
             }
             Task::Sketch(sketch) => match self.sketch(&sketch) {
                 Ok(shown) => self.reply(Reply::Sketched { name: sketch.name, shown: Some(shown) }),
@@ -123,6 +124,14 @@ impl Course {
                 Err(End::Failed(_)) => self.reply(Reply::Sketched { name: sketch.name, shown: None }),
             },
         }
+    }
+
+    fn tell_exported(&self, outcome: Result<(), End>, file: PathBuf) {
+        self.reply(match outcome {
+            Ok(()) => Reply::Exported { file },
+            Err(End::GivenUp) => Reply::NotExported { trouble: None },
+            Err(End::Failed(trouble)) => Reply::NotExported { trouble: Some(trouble) },
+        });
     }
 
     /// One picture, as large as can be made in time.
@@ -182,7 +191,12 @@ impl Course {
     }
 
     /// A frame of the open data.
-    fn frame(&mut self, scene: &Scene, layers: Layers, goes_on: impl Fn() -> bool + Send + Sync) -> Result<Frame, End> {
+    pub(super) fn frame(
+        &mut self,
+        scene: &Scene,
+        layers: Layers,
+        goes_on: impl Fn() -> bool + Send + Sync,
+    ) -> Result<Frame, End> {
         let told = Arc::clone(&self.progress);
         let Some(open) = &mut self.open else {
             return Err(End::Failed(Trouble::new("no device is open", "choose a backend")));
@@ -196,7 +210,7 @@ impl Course {
     }
 
     /// Has the renderer show the data on the backend that is asked for.
-    fn open(&mut self, choice: Choice, data: &Data) -> Result<(), End> {
+    pub(super) fn open(&mut self, choice: Choice, data: &Data) -> Result<(), End> {
         match &mut self.open {
             Some(open) if open.choice == choice => {
                 if open.data != data.number {

@@ -1,6 +1,6 @@
 //! The requests that wait: of views the newest alone.
 
-use super::request::{Export, Sketch, View};
+use super::request::{AnimationExport, Export, Sketch, View};
 use std::collections::VecDeque;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -8,13 +8,14 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 pub(super) enum Task {
     View(Box<View>),
     Export(Box<Export>),
+    Animation(Box<AnimationExport>),
     Sketch(Sketch),
 }
 
 #[derive(Default)]
 struct Waiting {
     view: Option<Box<View>>,
-    export: Option<Box<Export>>,
+    export: Option<Task>,
     sketches: VecDeque<Sketch>,
     gives_export_up: bool,
     closed: bool,
@@ -68,16 +69,21 @@ impl Mailbox {
 
     pub fn put_export(&self, export: Export) {
         self.change(|waiting| {
-            waiting.export = Some(Box::new(export));
+            waiting.export = Some(Task::Export(Box::new(export)));
+            waiting.gives_export_up = false;
+        });
+    }
+
+    pub fn put_animation(&self, animation: AnimationExport) {
+        self.change(|waiting| {
+            waiting.export = Some(Task::Animation(Box::new(animation)));
             waiting.gives_export_up = false;
         });
     }
 
     pub fn cancel_export(&self) {
-        self.change(|waiting| {
-            waiting.export = None;
-            waiting.gives_export_up = true;
-        });
+        // One that still waits is begun and given up, so that there is a reply.
+        self.change(|waiting| waiting.gives_export_up = true);
     }
 
     pub fn close(&self) {
@@ -92,7 +98,7 @@ impl Mailbox {
                 return None;
             }
             if let Some(export) = waiting.export.take() {
-                return Some(Task::Export(export));
+                return Some(export);
             }
             if let Some(view) = waiting.view.take() {
                 return Some(Task::View(view));

@@ -1,5 +1,6 @@
 //! The thread that renders: it owns the renderer, takes the newest request only, and never keeps the window waiting.
 
+mod animate;
 mod course;
 mod device;
 mod ladder;
@@ -7,12 +8,13 @@ mod mailbox;
 mod pace;
 mod picture;
 mod request;
+mod target;
 
 pub use device::DeviceOptions;
 pub use ladder::{Rung, ladder};
 pub use pace::{LEAST_EDGE, Pace, TARGET};
 pub use picture::{Shown, shown};
-pub use request::{Data, Export, Reply, Sketch, SketchSubject, View, Wake};
+pub use request::{AnimationExport, Data, Export, Reply, Sketch, SketchSubject, View, Wake};
 
 use course::Course;
 use mailbox::Mailbox;
@@ -68,7 +70,12 @@ impl Worker {
         self.mailbox.put_export(export);
     }
 
-    /// Gives the picture for a file up.
+    /// Asks for an animation in files, before anything else.
+    pub fn animate(&self, animation: AnimationExport) {
+        self.mailbox.put_animation(animation);
+    }
+
+    /// Gives the picture or animation for a file up.
     pub fn cancel_export(&self) {
         self.mailbox.cancel_export();
     }

@@ -4,7 +4,7 @@ use super::picture::Shown;
 use crate::trouble::Trouble;
 use std::path::PathBuf;
 use std::sync::Arc;
-use vitrum::scene::Scene;
+use vitrum::scene::{Motion, Scene};
 use vitrum::{Assets, Statistics};
 
 /// Called behind each reply, so that the window looks at it.
@@ -67,6 +67,19 @@ pub struct Export {
     pub backend: vitrum::backend::Choice,
 }
 
+/// An animation in a folder of numbered pictures, or in a file.
+#[derive(Debug, Clone)]
+pub struct AnimationExport {
+    /// Its scene and data, and the folder or file.
+    pub export: Export,
+    /// The motion.
+    pub motion: Motion,
+    /// The number of pictures.
+    pub frames: u32,
+    /// Pictures a second, in a file.
+    pub rate: u16,
+}
+
 /// What the thread says.
 #[derive(Debug)]
 pub enum Reply {
@@ -96,6 +109,13 @@ pub enum Reply {
         name: String,
         /// The picture.
         shown: Option<Shown>,
+    },
+    /// A picture of an animation is begun.
+    Exporting {
+        /// The picture, counted from 1.
+        picture: u32,
+        /// The number of all.
+        of: u32,
     },
     /// A picture is in its file.
     Exported {

@@ -44,7 +44,7 @@ impl<'a> Target<'a> {
     /// The file of a picture, where each has one of its own.
     pub fn file(&self, index: u32) -> Option<PathBuf> {
         match self {
-            Self::Folder(folder, _) => Some(folder.join(format!("frame-{index:05}.png"))),
+            Self::Folder(folder, _) => Some(Animation::frame_file(folder, index)),
             Self::Animation { .. } => None,
         }
     }

@@ -4,7 +4,7 @@ use super::Arguments;
 use crate::failure::{Failure, Status};
 use std::path::Path;
 use vitrum::composition::read_text;
-use vitrum::scene::{KeyFrames, Scene};
+use vitrum::scene::{KeyFrames, Motion, Scene};
 use vitrum::{Assets, MovingMeshes, Subject};
 
 /// Pictures of a whole turn.
@@ -15,12 +15,6 @@ pub struct Timeline {
     start: Scene,
     frames: u32,
     motion: Motion,
-}
-
-enum Motion {
-    /// The camera goes round by so many degrees.
-    Turn(f32),
-    Keys(KeyFrames),
 }
 
 /// Reads a file of key frames.
@@ -41,8 +35,9 @@ impl Timeline {
     ) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
             Some(keys) => {
-                let all = keys.last_frame().floor() as u32 + 1;
-                (Motion::Keys(keys), arguments.frames.unwrap_or(all))
+                let motion = Motion::Keys(keys);
+                let frames = arguments.frames.or(motion.key_frames()).unwrap_or(TURN);
+                (motion, frames)
             }
             None if points_in_time.is_some() && arguments.turn.is_none() => {
                 (Motion::Turn(0.0), arguments.frames.or(points_in_time).unwrap_or(TURN))
@@ -81,18 +76,10 @@ impl Timeline {
 
     /// Whether the meshes of one frame are in other places than those of another.
     pub fn moves_meshes(&self) -> bool {
-        let Motion::Keys(keys) = &self.motion else { return false };
-        (0..self.start.mesh.len()).any(|index| keys.set(&format!("mesh.{index}.time")))
+        self.motion.moves_meshes(&self.start)
     }
 
     pub fn scene(&self, index: u32) -> Result<Scene, Failure> {
-        match &self.motion {
-            Motion::Keys(keys) => Ok(keys.at(&self.start, index)?),
-            Motion::Turn(turn) => {
-                let mut scene = self.start.clone();
-                scene.camera.azimuth += turn * index as f32 / self.frames as f32;
-                Ok(scene)
-            }
-        }
+        Ok(self.motion.at(&self.start, index, self.frames)?)
     }
 }

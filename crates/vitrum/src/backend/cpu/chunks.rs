@@ -97,7 +97,7 @@ pub(super) fn follows(pass: &Pass, next: &Pass) -> bool {
     updates && alike && (next.output(), next.start) == (pass.output(), pass.start)
 }
 
-/// Passes that run together at most: they cannot be cancelled on the way.
+/// Passes that run together at most.
 pub(super) fn most_together(pass: &Pass) -> usize {
     (INVOCATIONS_TOGETHER / pass.invocations().max(1)).max(1) as usize
 }
@@ -115,8 +115,14 @@ fn chunk_rows(passes: &[PreparedPass]) -> u32 {
     }
 }
 
-/// Runs passes over all their rows, chunk by chunk.
-pub(super) fn rows(passes: &[PreparedPass], set: InstructionSet, output: &mut [u32], state: &mut BlockState) {
+/// Runs passes over all their rows, chunk by chunk; once `stop` is set the rest is left out.
+pub(super) fn rows(
+    passes: &[PreparedPass],
+    set: InstructionSet,
+    output: &mut [u32],
+    state: &mut BlockState,
+    stop: &AtomicBool,
+) {
     let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
     let count = width as usize * height as usize;
@@ -162,6 +168,9 @@ pub(super) fn rows(passes: &[PreparedPass], set: InstructionSet, output: &mut [u
         let first_row = (first_chunk + index) as u32 * chunk_rows;
         let mut before = before;
         for PreparedPass { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
+            if stop.load(Ordering::Relaxed) {
+                return;
+            }
             let started = Instant::now();
             // How long records rest is only known while nothing else changes them.
             if before != Some(pass.kernel.declaration.name) {

@@ -4,6 +4,7 @@ use super::Memory;
 use super::chunks::{BlockState, Written, follows, most_together};
 use crate::backend::{BackendError, Pass, PassList, Write};
 use std::collections::{HashMap, HashSet};
+use std::sync::atomic::{AtomicBool, Ordering};
 use vitrum_kernels::kernel::InstructionSet;
 
 /// Passes that run together, and the writes before them.
@@ -26,6 +27,8 @@ pub(super) struct Executor<'a> {
     states: HashMap<Written, BlockState>,
     /// Writes that wait for the first pass that reads their buffer.
     waiting: Vec<&'a Write>,
+    /// Whether the caller has cancelled.
+    stop: &'a AtomicBool,
 }
 
 /// Takes the kernels out of `idle` to which a pass of `kernel` gives new work.
@@ -37,8 +40,8 @@ fn wake(list: &PassList, kernel: &str, idle: &mut HashSet<&str>) {
 
 impl<'a> Executor<'a> {
     /// The state before the first part.
-    pub(super) fn new(passes: &'a PassList, set: InstructionSet) -> Self {
-        Self { passes, set, idle: HashSet::new(), states: HashMap::new(), waiting: Vec::new() }
+    pub(super) fn new(passes: &'a PassList, set: InstructionSet, stop: &'a AtomicBool) -> Self {
+        Self { passes, set, idle: HashSet::new(), states: HashMap::new(), waiting: Vec::new(), stop }
     }
 
     /// Runs a part, without the passes that may be left out.
@@ -65,7 +68,10 @@ impl<'a> Executor<'a> {
             self.states.retain(|(buffer, _), _| *buffer != write.buffer.number());
         }
         memory.write(now)?;
-        let busy = memory.run_together(&together, self.set, &mut self.states)?;
+        let busy = memory.run_together(&together, self.set, &mut self.states, self.stop)?;
+        if self.stop.load(Ordering::Relaxed) {
+            return Err(BackendError::Cancelled);
+        }
         for (pass, busy) in together.iter().zip(busy) {
             let name = pass.kernel.declaration.name;
             wake(list, name, &mut self.idle);

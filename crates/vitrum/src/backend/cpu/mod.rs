@@ -14,6 +14,7 @@ use executor::{Executor, Part, parts};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 use vitrum_kernels::kernel::InstructionSet;
 use web_time::Instant;
 
@@ -65,6 +66,7 @@ impl Memory {
         passes: &[&Pass],
         set: InstructionSet,
         states: &mut HashMap<Written, BlockState>,
+        stop: &AtomicBool,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
             pass.check(|buffer| self.size(buffer))?;
@@ -85,7 +87,7 @@ impl Memory {
             })
             .collect();
         let started = Instant::now();
-        rows(&prepared, set, &mut output, &mut written_state);
+        rows(&prepared, set, &mut output, &mut written_state, stop);
         // Shared out by what the threads took for each.
         let elapsed = started.elapsed().as_secs_f64() * 1e3;
         let shares: Vec<f64> = prepared.iter().map(PreparedPass::nanoseconds).collect();
@@ -191,7 +193,9 @@ impl Backend for CpuBackend {
 
     fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
         self.memory.buffers.collect();
-        let mut executor = Executor::new(passes, self.set);
+        // Chunks of rows that come after it is set are left out: what they would have written is of no use any more.
+        let stop = AtomicBool::new(false);
+        let mut executor = Executor::new(passes, self.set, &stop);
         let parts: Vec<Part> = parts(passes).collect();
         let (threads, memory) = (&self.threads, &mut self.memory);
         let (mut done, mut next) = (0, 0);
@@ -206,7 +210,12 @@ impl Backend for CpuBackend {
                 next += 1;
             }
             // Handing work to other threads takes as long as a small pass, so that it gets many at once.
-            threads.run(|| parts[first..next].iter().try_for_each(|part| executor.run(part, memory)))?;
+            let work = || parts[first..next].iter().try_for_each(|part| executor.run(part, memory));
+            threads.run_asked(work, || {
+                if !progress(reported) {
+                    stop.store(true, Ordering::Relaxed);
+                }
+            })?;
         }
         threads.run(|| executor.end(memory))?;
         progress(done);
