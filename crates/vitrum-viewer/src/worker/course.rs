@@ -15,10 +15,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 use vitrum::backend::Choice;
 use vitrum::composition::{Composed, Composition, Quality};
-use vitrum::io::{Picture, WriteOptions, stage_picture_with};
+use vitrum::io::{WriteOptions, stage_picture_with};
 use vitrum::scene::Scene;
 use vitrum::{Frame, Layers, OutputRequest, Progress, Renderer};
-use vitrum_annotations::{Overlay, screen_picture};
+use vitrum_annotations::{Overlay, file_picture, layers_of};
 
 /// A picture that follows the hand is given up for a newer one only after so many times as long as it may take: else a slow machine would show none.
 const PATIENCE: f64 = 4.0;
@@ -232,22 +232,11 @@ impl Course {
 
     fn export(&mut self, export: &Export) -> Result<(), End> {
         self.open(export.backend, &export.data)?;
-        let is = |extensions: &[&str]| {
-            export.file.extension().is_some_and(|own| extensions.iter().any(|one| own.eq_ignore_ascii_case(one)))
-        };
-        let layers = if is(&["exr"]) { Layers::ALL } else { Layers::color() };
         let mailbox = Arc::clone(&self.mailbox);
-        let frame = self.frame(&export.scene, layers, move || !mailbox.gives_export_up())?;
+        let frame = self.frame(&export.scene, layers_of(&export.file), move || !mailbox.gives_export_up())?;
         let metadata = frame.metadata(&export.scene)?;
-        let picture: Picture = if is(&["png", "jpg", "jpeg"]) {
-            let overlay =
-                Overlay::new(&vitrum::framed(&export.scene, &export.data.assets)?, &export.data.assets.subject)?;
-            screen_picture(frame, overlay.as_ref(), !is(&["png"]))?
-        } else if is(&["tif", "tiff"]) {
-            frame.into_straight_picture()
-        } else {
-            frame.into_picture()
-        };
+        let overlay = Overlay::new(&vitrum::framed(&export.scene, &export.data.assets)?, &export.data.assets.subject)?;
+        let picture = file_picture(frame, overlay.as_ref(), &export.file)?;
         stage_picture_with(&export.file, &picture, &metadata, &WriteOptions::default())?.put()?;
         Ok(())
     }
