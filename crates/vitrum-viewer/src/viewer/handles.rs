@@ -62,9 +62,7 @@ fn crop_box(ui: &mut Ui, placed: &Placed, picture: Rect, scene: &mut Scene) {
     let mut crop = scene.crop.clone().unwrap_or_default();
     let corners = placed.bounds.corners();
     let edges = [1, 2, 4].map(|corner| corners[corner] - corners[0]);
-    let world = |shares: [f32; 3]| {
-        (0..3).fold(corners[0], |sum, axis| sum + edges[axis] * f64::from(shares[axis]))
-    };
+    let world = |shares: [f32; 3]| (0..3).fold(corners[0], |sum, axis| sum + edges[axis] * f64::from(shares[axis]));
     let ends = [crop.min, crop.max];
     let corner = |index: usize| world(std::array::from_fn(|axis| ends[index >> axis & 1][axis]));
     for axis in 0..3 {

@@ -1,6 +1,8 @@
 //! A user who does anything: drags, clicks, turns the wheel and presses keys at random, in a window without a display.
 
-use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Ui, vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Ui, vec2,
+};
 use egui_kittest::Harness;
 use std::time::Duration;
 use vitrum::backend::Choice;
