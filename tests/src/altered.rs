@@ -70,7 +70,7 @@ impl<B: Backend> Backend for Altered<B> {
         self.backend.clear(buffer)
     }
 
-    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+    fn run(&mut self, passes: &PassList, progress: &mut (dyn FnMut(usize) -> bool + Send)) -> Result<(), BackendError> {
         let mut passes = passes.clone();
         (self.passes)(&mut passes);
         self.backend.run(&passes, progress)

@@ -83,7 +83,7 @@ pub trait Backend: Send {
     ///
     /// # Errors
     /// [`BackendError::Cancelled`]; [`BackendError::Misuse`] where a pass does not fit its kernel's declaration; the device's failures.
-    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError>;
+    fn run(&mut self, passes: &PassList, progress: &mut (dyn FnMut(usize) -> bool + Send)) -> Result<(), BackendError>;
 
     /// Shows `see` the bytes `range` of a buffer, whole words that lie inside it: where a backend can, without a copy and without the rest.
     ///

@@ -210,7 +210,11 @@ pub trait PreparedFrame {
     ///
     /// # Errors
     /// As [`Backend::run`].
-    fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), BackendError> {
+    fn run(
+        &self,
+        backend: &mut dyn Backend,
+        progress: &mut (dyn FnMut(u64, u64) -> bool + Send),
+    ) -> Result<(), BackendError> {
         let total = self.passes().passes.len() as u64;
         backend.run(self.passes(), &mut |done| progress(done as u64, total))?;
         self.arrive();

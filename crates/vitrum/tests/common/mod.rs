@@ -81,7 +81,7 @@ impl<W: Watch> Backend for Watched<W> {
         self.cpu.clear(buffer)
     }
 
-    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+    fn run(&mut self, passes: &PassList, progress: &mut (dyn FnMut(usize) -> bool + Send)) -> Result<(), BackendError> {
         let Err((count, failure)) = self.watch.runs(passes) else { return self.cpu.run(passes, progress) };
         self.cpu.run(&passes.part(0, count), progress)?;
         Err(failure)

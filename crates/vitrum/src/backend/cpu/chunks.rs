@@ -1,5 +1,6 @@
 //! Passes over the same records, chunk by chunk.
 
+use super::asked::Asked;
 use crate::backend::{Buffer, Pass};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
@@ -115,13 +116,13 @@ fn chunk_rows(passes: &[PreparedPass]) -> u32 {
     }
 }
 
-/// Runs passes over all their rows, chunk by chunk; once `stop` is set the rest is left out.
+/// Runs passes over all their rows, chunk by chunk; once the caller has cancelled the rest is left out.
 pub(super) fn rows(
     passes: &[PreparedPass],
     set: InstructionSet,
     output: &mut [u32],
     state: &mut BlockState,
-    stop: &AtomicBool,
+    asked: &Asked<'_>,
 ) {
     let pass = passes[0].pass;
     let (width, height) = (pass.width, pass.height);
@@ -168,7 +169,7 @@ pub(super) fn rows(
         let first_row = (first_chunk + index) as u32 * chunk_rows;
         let mut before = before;
         for PreparedPass { pass, reads, marks, uniforms, busy, nanoseconds } in passes {
-            if stop.load(Ordering::Relaxed) {
+            if asked.is_cancelled() {
                 return;
             }
             let started = Instant::now();

@@ -1,10 +1,10 @@
 //! Execution of a pass list, part by part.
 
 use super::Memory;
+use super::asked::Asked;
 use super::chunks::{BlockState, Written, follows, most_together};
 use crate::backend::{BackendError, Pass, PassList, Write};
 use std::collections::{HashMap, HashSet};
-use std::sync::atomic::{AtomicBool, Ordering};
 use vitrum_kernels::kernel::InstructionSet;
 
 /// Passes that run together, and the writes before them.
@@ -27,8 +27,8 @@ pub(super) struct Executor<'a> {
     states: HashMap<Written, BlockState>,
     /// Writes that wait for the first pass that reads their buffer.
     waiting: Vec<&'a Write>,
-    /// Whether the caller has cancelled.
-    stop: &'a AtomicBool,
+    /// Whether the work is to go on.
+    asked: &'a Asked<'a>,
 }
 
 /// Takes the kernels out of `idle` to which a pass of `kernel` gives new work.
@@ -40,8 +40,8 @@ fn wake(list: &PassList, kernel: &str, idle: &mut HashSet<&str>) {
 
 impl<'a> Executor<'a> {
     /// The state before the first part.
-    pub(super) fn new(passes: &'a PassList, set: InstructionSet, stop: &'a AtomicBool) -> Self {
-        Self { passes, set, idle: HashSet::new(), states: HashMap::new(), waiting: Vec::new(), stop }
+    pub(super) fn new(passes: &'a PassList, set: InstructionSet, asked: &'a Asked<'a>) -> Self {
+        Self { passes, set, idle: HashSet::new(), states: HashMap::new(), waiting: Vec::new(), asked }
     }
 
     /// Runs a part, without the passes that may be left out.
@@ -68,8 +68,8 @@ impl<'a> Executor<'a> {
             self.states.retain(|(buffer, _), _| *buffer != write.buffer.number());
         }
         memory.write(now)?;
-        let busy = memory.run_together(&together, self.set, &mut self.states, self.stop)?;
-        if self.stop.load(Ordering::Relaxed) {
+        let busy = memory.run_together(&together, self.set, &mut self.states, self.asked)?;
+        if self.asked.is_cancelled() {
             return Err(BackendError::Cancelled);
         }
         for (pass, busy) in together.iter().zip(busy) {

@@ -1,5 +1,6 @@
 //! The CPU backend: the kernels' own functions over rows, in parallel.
 
+mod asked;
 mod chunks;
 mod contents;
 mod executor;
@@ -8,13 +9,13 @@ use super::buffer::Buffers;
 use super::pass::check_part;
 use super::times::{self, KernelTime};
 use super::{Backend, BackendError, Buffer, Pass, PassList, Threads, Write, buffer};
+use asked::Asked;
 use chunks::{BlockState, PreparedPass, Written, rows};
 use contents::Contents;
 use executor::{Executor, Part, parts};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
 use vitrum_kernels::kernel::InstructionSet;
 use web_time::Instant;
 
@@ -66,7 +67,7 @@ impl Memory {
         passes: &[&Pass],
         set: InstructionSet,
         states: &mut HashMap<Written, BlockState>,
-        stop: &AtomicBool,
+        asked: &Asked<'_>,
     ) -> Result<Vec<bool>, BackendError> {
         for pass in passes {
             pass.check(|buffer| self.size(buffer))?;
@@ -87,7 +88,7 @@ impl Memory {
             })
             .collect();
         let started = Instant::now();
-        rows(&prepared, set, &mut output, &mut written_state, stop);
+        rows(&prepared, set, &mut output, &mut written_state, asked);
         // Shared out by what the threads took for each.
         let elapsed = started.elapsed().as_secs_f64() * 1e3;
         let shares: Vec<f64> = prepared.iter().map(PreparedPass::nanoseconds).collect();
@@ -191,18 +192,15 @@ impl Backend for CpuBackend {
         })
     }
 
-    fn run(&mut self, passes: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+    fn run(&mut self, passes: &PassList, progress: &mut (dyn FnMut(usize) -> bool + Send)) -> Result<(), BackendError> {
         self.memory.buffers.collect();
-        // Chunks of rows that come after it is set are left out: what they would have written is of no use any more.
-        let stop = AtomicBool::new(false);
-        let mut executor = Executor::new(passes, self.set, &stop);
+        let asked = Asked::new(progress);
+        let mut executor = Executor::new(passes, self.set, &asked);
         let parts: Vec<Part> = parts(passes).collect();
         let (threads, memory) = (&self.threads, &mut self.memory);
         let (mut done, mut next) = (0, 0);
         while next < parts.len() {
-            if !progress(done) {
-                return Err(BackendError::Cancelled);
-            }
+            asked.report(done)?;
             let reported = done;
             let first = next;
             while next < parts.len() && done < reported + PASSES_PER_REPORT {
@@ -210,15 +208,11 @@ impl Backend for CpuBackend {
                 next += 1;
             }
             // Handing work to other threads takes as long as a small pass, so that it gets many at once.
-            let work = || parts[first..next].iter().try_for_each(|part| executor.run(part, memory));
-            threads.run_asked(work, || {
-                if !progress(reported) {
-                    stop.store(true, Ordering::Relaxed);
-                }
-            })?;
+            threads.run(|| parts[first..next].iter().try_for_each(|part| executor.run(part, memory)))?;
         }
         threads.run(|| executor.end(memory))?;
-        progress(done);
+        // It is all done: cancelling comes too late.
+        let _ = asked.report(done);
         Ok(())
     }
 

@@ -240,7 +240,7 @@ impl Backend for GpuBackend {
         self.check()
     }
 
-    fn run(&mut self, list: &PassList, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+    fn run(&mut self, list: &PassList, progress: &mut (dyn FnMut(usize) -> bool + Send)) -> Result<(), BackendError> {
         run::run(self, list, progress)
     }
 

@@ -40,7 +40,7 @@ fn batches(list: &PassList) -> impl Iterator<Item = (&[Write], &[Pass])> {
 pub(super) fn run(
     backend: &mut GpuBackend,
     list: &PassList,
-    progress: &mut dyn FnMut(usize) -> bool,
+    progress: &mut (dyn FnMut(usize) -> bool + Send),
 ) -> Result<(), BackendError> {
     backend.buffers.collect();
     prepare_pipelines(backend, &list.passes)?;

@@ -224,7 +224,11 @@ impl Sweep {
     ///
     /// # Errors
     /// As [`Backend::run`].
-    pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u32) -> bool) -> Result<(), BackendError> {
+    pub fn run(
+        &self,
+        backend: &mut dyn Backend,
+        progress: &mut (dyn FnMut(u32) -> bool + Send),
+    ) -> Result<(), BackendError> {
         let total = self.passes.passes.len().max(1);
         let planes = self.planes.count;
         backend.run(&self.passes, &mut |done| progress((done as u64 * u64::from(planes) / total as u64) as u32))

@@ -59,7 +59,11 @@ impl PreparedFrame for Rays {
         &self.film
     }
 
-    fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), BackendError> {
+    fn run(
+        &self,
+        backend: &mut dyn Backend,
+        progress: &mut (dyn FnMut(u64, u64) -> bool + Send),
+    ) -> Result<(), BackendError> {
         let total = self.passes.passes.len() as u64;
         Self::run(self, backend, &mut |done| progress(done as u64, total))
     }

@@ -51,7 +51,11 @@ impl Rays {
     ///
     /// # Errors
     /// As [`Backend::run`].
-    pub fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(usize) -> bool) -> Result<(), BackendError> {
+    pub fn run(
+        &self,
+        backend: &mut dyn Backend,
+        progress: &mut (dyn FnMut(usize) -> bool + Send),
+    ) -> Result<(), BackendError> {
         backend.run(&self.passes, progress)
     }
 
