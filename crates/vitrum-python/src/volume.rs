@@ -83,6 +83,7 @@ impl Volume {
     #[getter]
     fn array<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let volume = &slf.get().0;
+        volume.require_whole("an array").map_err(Failure::from)?;
         let [x, y, z] = volume.dimensions.map(|size| size as usize);
         let shape = [z, y, x];
         let owner = slf.clone().into_any();
@@ -173,6 +174,7 @@ pub fn open(
     let wrong = |problem: String| Failure::value(problem, "see the documentation of `open`");
     let options = OpenOptions {
         max_bytes,
+        paged: false,
         raw: raw.map(str::parse).transpose().map_err(wrong)?,
         spacing,
         array,
@@ -182,14 +184,12 @@ pub fn open(
     };
     let threads = process::threads()?;
     if options.raw.is_none() && is_mesh(&path) {
-        let read = |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| {
-            Ok(threads.run(|| io::open_mesh(&path, &options))?)
-        };
+        let read =
+            |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| Ok(threads.run(|| io::open_mesh(&path, &options))?);
         let mesh = work::run(py, None, read)?;
         return Ok(Py::new(py, crate::mesh::Mesh(Arc::new(mesh)))?.into_any());
     }
-    let read =
-        |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| Ok(threads.run(|| io::open(&path, &options))?);
+    let read = |_: &mut (dyn FnMut(vitrum::Progress) -> bool + Send)| Ok(threads.run(|| io::open(&path, &options))?);
     let volume = work::run(py, None, read)?;
     Ok(Py::new(py, Volume(Arc::new(volume)))?.into_any())
 }
