@@ -220,3 +220,50 @@ fn what_a_small_volume_needs_is_all_of_it_at_most() -> Result<(), Failure> {
     }
     Ok(())
 }
+
+/// A case whose volume stays in a file of raw voxels; the file is gone with the folder.
+fn paged(case: &Case, folder: &std::path::Path) -> Result<Case, Failure> {
+    let volume = case.volume();
+    let (kind, bytes) = match &volume.voxels {
+        Voxels::U8(voxels) => ("uint8", voxels.to_vec()),
+        Voxels::U16(voxels) => ("uint16", voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect()),
+        Voxels::F32(voxels) => ("float32", voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect()),
+    };
+    let [x, y, z] = volume.dimensions;
+    let path = folder.join(format!("a_{x}x{y}x{z}_{kind}_le.raw"));
+    std::fs::write(&path, bytes).map_err(|error| Failure::Setup(error.to_string()))?;
+    let options = vitrum::io::OpenOptions { paged: true, ..Default::default() };
+    let opened = vitrum::io::open(&path, &options).map_err(Error::from)?;
+    assert!(opened.paged.is_some(), "{}: the file was read whole", case.name);
+    let (voxels, paged) = (opened.voxels.clone(), opened.paged.clone());
+    let mut case = case.clone();
+    case.assets.subject = Volume { voxels, paged, ..volume.clone() }.into();
+    Ok(case)
+}
+
+#[test]
+fn a_volume_that_stays_in_its_file_gives_the_picture_of_the_whole_one() -> Result<(), Failure> {
+    let folder = tempfile::tempdir().map_err(|error| Failure::Setup(error.to_string()))?;
+    let mut cpu = CpuBackend::new(None)?;
+    let mut gpu = exact_for_test();
+    for case in [
+        case("ball", &[OBLIQUE, FROM_ABOVE])?,
+        noisy(case("phantom", &[OBLIQUE, FROM_ABOVE])?)?,
+        case("head", &[OBLIQUE])?,
+        case("combustion/mixture", &[OBLIQUE, FROM_ABOVE])?,
+        reshaped([3, 61, 40], [0.5, 0.04, 0.05])?,
+        reshaped([33, 47, 1], [0.05, 0.05, 0.4])?,
+    ] {
+        let name = case.name.clone();
+        let (whole, _) = run(&case.clone().streamed(), &mut cpu)?;
+        let case = paged(&case, folder.path())?;
+        // It is streamed by itself.
+        let (found, _) = run(&case, &mut cpu)?;
+        assert!(whole == found, "{name}: {} values differ", differing(&whole, &found));
+        if let Some(gpu) = &mut gpu {
+            let (found, _) = run(&case, gpu)?;
+            assert!(whole == found, "{name}: {} values differ on the adapter", differing(&whole, &found));
+        }
+    }
+    Ok(())
+}

@@ -10,6 +10,7 @@ use crate::fields::Field;
 use crate::input::{Input, display_name};
 use crate::memory;
 use crate::options::OpenOptions;
+use crate::paged::Contiguous;
 use crate::samples::{Endian, SampleType, VoxelBuffer};
 use crate::source::Assumptions;
 use crate::storage::{ByteReader, Storage};
@@ -48,6 +49,16 @@ impl<'a> DataFile<'a> {
         let mut reader = self.storage.open().map_err(unreadable)?;
         reader.seek(SeekFrom::Start(self.start)).map_err(unreadable)?;
         Ok(reader)
+    }
+
+    /// The file as one with samples that lie one behind the other from the byte `start` on.
+    pub fn contiguous(
+        &self,
+        start: u64,
+        dimensions: [u32; 3],
+        (sample, endian): (SampleType, Endian),
+    ) -> Contiguous<'_> {
+        Contiguous { storage: self.storage.clone(), name: &self.name, start, dimensions, sample, endian }
     }
 
     /// Bytes of its data segment.

@@ -18,6 +18,7 @@ impl Volume {
     ///
     /// [`Error::Invalid`] where a range is empty or goes beyond the volume, [`Error::TooLarge`] where the memory does not suffice.
     pub fn cropped(self, ranges: &[Range<u32>; 3]) -> Result<Self, Error> {
+        self.require_whole("a change of voxels")?;
         let report = Report::new(&self.name);
         for (axis, range) in ranges.iter().enumerate() {
             let size = self.dimensions[axis];
@@ -69,6 +70,7 @@ impl Volume {
         spacing: [f32; 3],
         taps: fn(from: usize, to: usize, step: f64) -> Taps,
     ) -> Result<Self, Error> {
+        self.require_whole("a change of voxels")?;
         let report = Report::new(&self.name);
         check_spacing(report, spacing)?;
         memory::check(report, 8 * (count(dimensions) + count(self.dimensions)), None)?;
@@ -87,6 +89,7 @@ impl Volume {
     ///
     /// [`Error::Invalid`] where `sigma` is not above 0 or above 1000, [`Error::TooLarge`] where the memory does not suffice.
     pub fn blurred(self, sigma: f32) -> Result<Self, Error> {
+        self.require_whole("a change of voxels")?;
         const WIDEST: f32 = 1000.0;
         let report = Report::new(&self.name);
         if !(sigma > 0.0 && sigma <= WIDEST) {
@@ -106,6 +109,7 @@ impl Volume {
     ///
     /// [`Error::TooLarge`] where the memory does not suffice.
     pub fn thresholded(self, low: f32, high: f32) -> Result<Self, Error> {
+        self.require_whole("a change of voxels")?;
         memory::check(Report::new(&self.name), count(self.dimensions), None)?;
         let mask: Vec<u8> = self.iter().map(|value| u8::from(value >= low && value <= high)).collect();
         let (dimensions, spacing) = (self.dimensions, self.spacing);
@@ -118,6 +122,7 @@ impl Volume {
     ///
     /// [`Error::TooLarge`] where the memory does not suffice.
     pub fn picked(self, labels: &[f32]) -> Result<Self, Error> {
+        self.require_whole("a change of voxels")?;
         memory::check(Report::new(&self.name), 4 * count(self.dimensions), None)?;
         let pick = |value: f32| if labels.contains(&value) { value } else { 0.0 };
         let narrow = |limit: f32| labels.iter().all(|&label| (0.0..=limit).contains(&label) && label.fract() == 0.0);

@@ -78,7 +78,7 @@ pub(crate) fn tell(volume: &mut Volume) {
     let stored = distinct(&volume.voxels, most);
     let mut labels = match (declared, &stored) {
         (Some(labels), _) => labels,
-        (None, Some(stored)) if looks_like_labels(volume, stored) => {
+        (None, Some(stored)) if volume.paged.is_none() && looks_like_labels(volume, stored) => {
             let by =
                 if stored.len() == 2 { "two values, as those of a mask" } else { "few whole numbers that lie apart" };
             Labels { by: by.to_owned(), list: Vec::new() }

@@ -11,6 +11,9 @@ pub struct OpenOptions {
     /// Memory limit in bytes: for the decoded voxels; for the decompressed file and the mesh in it together; and for a file that must
     /// be unpacked or comes by standard input. `None` stands for the memory that is available.
     pub max_bytes: Option<u64>,
+    /// Leaves the voxels in their file, of which parts are read when they are needed, whatever memory there is. It takes one uncompressed file
+    /// with one number for each voxel; others are read whole. Files whose voxels need more memory than they may take stay there by themselves.
+    pub paged: bool,
     /// Reads the file as voxels without a header, laid out like this, whatever it looks like.
     pub raw: Option<RawLayout>,
     /// Replaces the file's spacing; the middle of the grid stays where it is.

@@ -51,5 +51,5 @@ pub(crate) fn read(
             first += voxels.len();
         }
     }
-    Ok(Stored { voxels: numbers.into(), colors: colors.map(Into::into) })
+    Ok(Stored { voxels: numbers.into(), colors: colors.map(Into::into), paged: None })
 }

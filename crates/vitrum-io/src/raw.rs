@@ -6,6 +6,7 @@ use crate::input::Input;
 use crate::memory;
 use crate::options::OpenOptions;
 use crate::packing::Packing;
+use crate::paged::Contiguous;
 use crate::placement::unoriented;
 use crate::raw_layout::{RawLayout, dimensions, endian, sample_type};
 use crate::reader::VolumeReader;
@@ -60,7 +61,12 @@ impl VolumeReader for Raw {
                 input.length.saturating_sub(skip)
             )));
         }
-        let voxels = read_data(input, options, layout, packing, bytes)?.into_voxels();
+        let data = Contiguous { storage: input.storage(), name: &input.name, start: skip, dimensions, sample, endian };
+        let paged = if packing == Packing::Plain { data.open(options)? } else { None };
+        let voxels = match paged {
+            Some(paged) => paged,
+            None => read_data(input, options, layout, packing, bytes)?.into_voxels(),
+        };
         let volume = Volume::of_samples(input.name.clone(), dimensions, [1.0; 3], voxels, sample)?;
         let encoding = sample.coding(packing.name(), endian);
         let source =

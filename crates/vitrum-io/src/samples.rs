@@ -150,7 +150,7 @@ impl VoxelBuffer {
             Decoded::U16(voxels) => voxels.into(),
             Decoded::F32(voxels) => voxels.into(),
         };
-        Stored { voxels, colors: self.colors.map(Into::into) }
+        Stored { voxels, colors: self.colors.map(Into::into), paged: None }
     }
 
     /// Decodes up to `count` samples from `reader`.
@@ -201,7 +201,7 @@ impl VoxelBuffer {
     }
 
     /// Appends the whole samples in `bytes`; a broken one at the end is left out.
-    fn decode(&mut self, bytes: &[u8], endian: Endian) {
+    pub fn decode(&mut self, bytes: &[u8], endian: Endian) {
         match (&mut self.voxels, self.sample) {
             // Flipping the top bit adds half of the range: two's complement becomes unsigned.
             (Decoded::U8(out), SampleType::I8) => out.extend(bytes.iter().map(|byte| byte ^ 0x80)),

@@ -1,5 +1,8 @@
 //! Voxels as a reader hands them over: numbers, and the colours of photographed volumes.
 
+use std::sync::Arc;
+
+use crate::paged::Paged;
 use crate::shared::Shared;
 use crate::voxels::Voxels;
 
@@ -9,6 +12,8 @@ pub(crate) struct Stored {
     pub voxels: Voxels,
     /// As [`crate::Volume::colors`].
     pub colors: Option<Shared<u32>>,
+    /// All voxels, where `voxels` are an overview of them.
+    pub paged: Option<Arc<Paged>>,
 }
 
 /// The word of black, opaque.
@@ -16,7 +21,7 @@ pub(crate) const OPAQUE: u32 = 0xff00_0000;
 
 impl From<Voxels> for Stored {
     fn from(voxels: Voxels) -> Self {
-        Self { voxels, colors: None }
+        Self { voxels, colors: None, paged: None }
     }
 }
 

@@ -1,8 +1,11 @@
 //! A scalar volume in memory, as the kernels take it.
 
+use std::sync::Arc;
+
 use crate::common_range::common_extremes;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
+use crate::paged::Paged;
 use crate::samples::SampleType;
 use crate::shared::Shared;
 use crate::source::{Assumptions, Source};
@@ -18,6 +21,8 @@ pub struct Volume {
     pub dimensions: [u32; 3],
     /// The stored voxels.
     pub voxels: Voxels,
+    /// All voxels, where they stay in a file: `voxels` are then the few of its overview ([`Self::overview`]).
+    pub paged: Option<Arc<Paged>>,
     /// The colour of each voxel in sRGB, x fastest, where a volume has colours: red in the lowest byte of a word, green, blue, and in the highest
     /// byte the factor of its extinction over 255. It is a factor of the colour that a transfer function gives.
     pub colors: Option<Shared<u32>>,
@@ -67,18 +72,27 @@ impl Volume {
         voxels: impl Into<Stored>,
         slope: f32,
     ) -> Result<Self, Error> {
-        let Stored { voxels, colors } = voxels.into().seen();
+        let Stored { voxels, colors, paged } = voxels.into().seen();
         let report = Report::new(&name);
-        check_count(report, dimensions, &voxels)?;
+        if paged.is_none() {
+            check_count(report, dimensions, &voxels)?;
+        }
         check_spacing(report, spacing)?;
         check_extent(report, dimensions, spacing)?;
-        let (voxels, assumptions) = finite(report, voxels, slope < 0.0)?;
+        let (voxels, mut assumptions) = finite(report, voxels, slope < 0.0)?;
+        if paged.is_some() {
+            assumptions.push(
+                "the voxels stay in the file: presets, histograms and ranges without outliers are told by every few of them".to_owned(),
+            );
+        }
         // `check_count` refuses an empty volume, so the extremes are always there.
-        let range = voxels.extremes().unwrap_or_default();
+        let extremes = paged.as_ref().map(|paged| paged.extremes);
+        let range = extremes.or_else(|| voxels.extremes()).unwrap_or_default();
         let origin = std::array::from_fn(|axis| -0.5 * (dimensions[axis] - 1) as f32 * spacing[axis]);
         Ok(Self {
             dimensions,
             voxels,
+            paged,
             colors,
             value_scale: 1.0,
             value_offset: 0.0,
@@ -127,7 +141,7 @@ impl Volume {
     /// [`Error::Invalid`] where `scale` is 0, or where either number or a physical value is not
     /// finite.
     pub fn with_value_mapping(mut self, scale: f32, offset: f32) -> Result<Self, Error> {
-        let mut range = self.voxels.extremes().unwrap_or_default().map(|end| end * scale + offset);
+        let mut range = self.extremes().map(|end| end * scale + offset);
         range.sort_by(f32::total_cmp);
         if scale == 0.0 || !scale.is_finite() || range.iter().any(|end| !end.is_finite()) {
             return Err(Report::new(&self.name).invalid(
@@ -171,7 +185,13 @@ impl Volume {
         self
     }
 
-    /// Number of voxels.
+    /// The least and the greatest stored value.
+    fn extremes(&self) -> [f32; 2] {
+        let of_all = self.paged.as_ref().map(|paged| paged.extremes);
+        of_all.or_else(|| self.voxels.extremes()).unwrap_or_default()
+    }
+
+    /// Number of voxels in memory.
     #[must_use]
     pub fn voxel_count(&self) -> usize {
         self.voxels.len()
@@ -195,6 +215,9 @@ impl Volume {
     /// NaN only where the public fields were made to contradict each other.
     #[must_use]
     pub fn value(&self, x: u32, y: u32, z: u32) -> f32 {
+        if self.paged.is_some() {
+            return self.paged_value([x, y, z]);
+        }
         let [width, height, depth] = self.dimensions;
         let inside = |index: u32, size: u32| index.min(size.saturating_sub(1)) as usize;
         let slice = width as usize * height as usize;
@@ -212,7 +235,7 @@ impl Volume {
     /// voxels' values than four times their range. Where nearly all voxels are equal, none is an outlier.
     #[must_use]
     pub fn common_range(&self) -> [f32; 2] {
-        let extremes = self.voxels.extremes().unwrap_or_default();
+        let extremes = self.extremes();
         let common = common_extremes(&self.voxels, extremes);
         if common == extremes {
             return self.range;

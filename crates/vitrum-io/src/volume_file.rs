@@ -56,6 +56,7 @@ fn write_npy(report: Report, _path: &Path, _volume: &Volume) -> Result<(), Error
 pub fn write_volume(path: &Path, volume: &Volume) -> Result<(), Error> {
     let name = display_name(path);
     let report = Report::new(&name);
+    volume.require_whole("a file of the volume")?;
     (writer(report, path)?.write)(report, path, volume)
 }
 

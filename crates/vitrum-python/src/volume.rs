@@ -83,6 +83,7 @@ impl Volume {
     #[getter]
     fn array<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let volume = &slf.get().0;
+        volume.require_whole("an array").map_err(Failure::from)?;
         let [x, y, z] = volume.dimensions.map(|size| size as usize);
         let shape = [z, y, x];
         let owner = slf.clone().into_any();
@@ -173,6 +174,7 @@ pub fn open(
     let wrong = |problem: String| Failure::value(problem, "see the documentation of `open`");
     let options = OpenOptions {
         max_bytes,
+        paged: false,
         raw: raw.map(str::parse).transpose().map_err(wrong)?,
         spacing,
         array,

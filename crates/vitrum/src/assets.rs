@@ -110,7 +110,12 @@ impl Assets {
         let named = scene.light.iter().filter_map(|light| light.texture.as_ref()).collect::<BTreeSet<_>>();
         let textures = named.into_iter().map(read).collect::<Result<_, Error>>()?;
         let density = scene.medium.as_ref().and_then(|medium| medium.density.as_ref());
-        let density = density.map(|source| load_volume(source, base, max_bytes)).transpose()?.map(Arc::new);
+        let density = density.map(|source| {
+            let density = load_volume(source, base, max_bytes)?;
+            density.require_whole("a medium's density")?;
+            Ok::<_, Error>(Arc::new(density))
+        });
+        let density = density.transpose()?;
         Ok(move |subject| Self { subject, environment, textures, density, mask: None })
     }
 }
@@ -234,12 +239,15 @@ pub fn load_volume(source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -
 fn load_mask(mask: &Mask, source: &VolumeSource, base: &Path, max_bytes: Option<u64>) -> Result<Volume, Error> {
     let VolumeSource { spacing, up, .. } = source.clone();
     let of_mask = VolumeSource { file: Some(mask.file.clone()), spacing, up, ..VolumeSource::default() };
-    load_volume(&of_mask, base, max_bytes)
+    let mask = load_volume(&of_mask, base, max_bytes)?;
+    mask.require_whole("a mask")?;
+    Ok(mask)
 }
 
 fn options(source: &VolumeSource, max_bytes: Option<u64>) -> Result<OpenOptions, Error> {
     Ok(OpenOptions {
         max_bytes,
+        paged: false,
         raw: source.raw.as_deref().map(str::parse).transpose().map_err(syntax)?,
         spacing: source.spacing,
         array: source.array.clone(),

@@ -132,6 +132,7 @@ impl Course<'_> {
         let (index, count) = (index as u64, count as u64);
         let mut tell = |done: u64, all: u64| progress(Progress { stage, done: index * all + done, total: count * all });
         prepared.run(&mut **backend, &mut tell)?;
+        job.assets.subject.check_read()?;
         let film = backend.read_all(prepared.film())?;
         spent.frame_ms += started.elapsed().as_secs_f64() * 1e3;
         merge(&mut spent.kernels, &backend.take_kernel_times());

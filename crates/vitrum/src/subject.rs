@@ -42,6 +42,16 @@ impl<'a> Volumes<'a> {
 }
 
 impl Subject {
+    /// Fails where voxels that stay in a file could not be read since the last call: what was made of them is wrong.
+    ///
+    /// # Errors
+    /// That of the read.
+    pub(crate) fn check_read(&self) -> Result<(), vitrum_io::Error> {
+        let volumes = self.volumes();
+        let mut paged = volumes.iter().flat_map(|volumes| volumes.iter()).filter_map(|volume| volume.paged.as_ref());
+        paged.find_map(|paged| paged.take_failure()).map_or(Ok(()), Err)
+    }
+
     /// The volumes; `None` for a mesh.
     #[must_use]
     pub fn volumes(&self) -> Option<Volumes<'_>> {

@@ -84,6 +84,15 @@ fn read_data(
     let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
     let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);
+    if let ([file], Encoding::Raw, None) = (files.as_slice(), description.encoding, description.components) {
+        check(file, data.count)?;
+        let bytes = data.count * description.voxel_size as u64;
+        let (before, _) = description.times.spans(report, Place::File, bytes)?;
+        let start = file.start.saturating_add(before);
+        if let Some(paged) = file.contiguous(start, description.dimensions, (sample, endian)).open(options)? {
+            return Ok(paged);
+        }
+    }
     let voxels = data.read(report, options, &mut notes, check, append)?;
     notes.extend(size_note(header, description, &files));
     description.assumptions.extend(notes);

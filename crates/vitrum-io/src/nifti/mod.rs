@@ -19,6 +19,7 @@ use crate::labels::Labels;
 use crate::memory;
 use crate::options::{OpenOptions, Part};
 use crate::packing::Packing;
+use crate::paged::Contiguous;
 use crate::planes;
 use crate::reader::VolumeReader;
 use crate::samples::{SampleType, VoxelBuffer, read_up_to};
@@ -165,6 +166,14 @@ impl Data<'_> {
             }
         } else {
             stream::check_ratio(report, start + all, *length, packing.ratio())?;
+        }
+        let (dimensions, from) = (header.dimensions, start.saturating_add(before));
+        let data = Contiguous { storage: self.input.storage(), name, start: from, dimensions, sample, endian };
+        if *packing == Packing::Plain
+            && components.is_none()
+            && let Some(paged) = data.open(options)?
+        {
+            return Ok(paged);
         }
         let stored = if components.is_some() { SampleType::F32 } else { sample };
         memory::check(report, count * stored_bytes(stored, components), options.max_bytes)?;

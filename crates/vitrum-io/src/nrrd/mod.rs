@@ -88,6 +88,17 @@ fn read_data(
     let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
     let append = |file: &DataFile, voxels: &mut _, count| read_file(file, description, voxels, count);
+    if let ([file], Encoding::Raw, None) = (files.as_slice(), description.encoding, description.components) {
+        check(file, data.count)?;
+        let mut reader = file.open()?;
+        skip_lines(report, &mut reader, description.line_skip)?;
+        let bytes = data.count * description.voxel_size as u64;
+        let (before, start, _) = raw_start(file, description, &mut reader, bytes)?;
+        let start = start.saturating_add(before);
+        if let Some(paged) = file.contiguous(start, description.dimensions, (sample, endian)).open(options)? {
+            return Ok(paged);
+        }
+    }
     let voxels = data.read(report, options, &mut notes, check, append)?;
     description.assumptions.extend(notes);
     Ok(voxels)
@@ -107,6 +118,27 @@ fn check_possible(file: &DataFile, description: &Description, share: u64) -> Res
     }
 }
 
+/// Where a file's raw data lies: the bytes of points in time before the chosen one, whose voxels take `bytes`, the byte of the first point in time, and
+/// the bytes behind all of them. `reader` is behind the lines that are skipped.
+fn raw_start(
+    file: &DataFile,
+    description: &Description,
+    reader: &mut impl Seek,
+    bytes: u64,
+) -> Result<(u64, u64, u64), Error> {
+    let report = Report::new(&file.name);
+    let (before, all) = description.times.spans(report, Place::File, bytes)?;
+    let here = reader.stream_position().map_err(|error| report.unreadable(error))?;
+    let start = match description.byte_skip {
+        ByteSkip::Forward(skip) => here.saturating_add(skip),
+        // A file too short for that is told so by the check below.
+        ByteSkip::FromEnd => file.length.saturating_sub(all).max(here),
+    };
+    let there = file.length.saturating_sub(start);
+    stream::check_length(report, all, start, there)?;
+    Ok((before, start, there - all))
+}
+
 /// Decodes a file's `count` voxels, and returns how many bytes of raw data it has behind them.
 ///
 /// Such bytes may be padding or another program's. Surplus in any other encoding is an error: nothing
@@ -122,17 +154,10 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
     let (before, all) = times.spans(report, Place::File, bytes)?;
     match description.encoding {
         Encoding::Raw => {
-            let here = reader.stream_position().map_err(unreadable)?;
-            let start = match description.byte_skip {
-                ByteSkip::Forward(skip) => here.saturating_add(skip),
-                // A file too short for that is told so by the check below.
-                ByteSkip::FromEnd => file.length.saturating_sub(all).max(here),
-            };
-            let there = file.length.saturating_sub(start);
-            stream::check_length(report, all, start, there)?;
+            let (before, start, behind) = raw_start(file, description, &mut reader, bytes)?;
             reader.seek(SeekFrom::Start(start + before)).map_err(unreadable)?;
             several::fill(report, voxels, &mut reader, count, size, components)?;
-            return Ok(there - all);
+            return Ok(behind);
         }
         Encoding::Gzip => {
             if description.byte_skip == ByteSkip::FromEnd {

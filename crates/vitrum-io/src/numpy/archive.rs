@@ -54,7 +54,7 @@ impl VolumeReader for Npz {
         let packing = packing(&mut archive, index, input.length, report)?;
         let mut entry = archive.by_index(index).map_err(|error| damaged(report, error))?;
         let length = entry.size();
-        let (mut volume, left) = array::read(&mut entry, length, packing, part, report, options)?;
+        let (mut volume, left) = array::read(&mut entry, length, packing, part, report, options, None)?;
         if left == 0 {
             // The sum of all bytes is checked where they end.
             stream::refuse_surplus(report, &mut entry, length)?;

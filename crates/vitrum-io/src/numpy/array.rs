@@ -7,16 +7,18 @@ use crate::components::{self, Components};
 use crate::error::{Error, Report};
 use crate::memory;
 use crate::options::OpenOptions;
+use crate::paged::Contiguous;
 use crate::placement::unoriented;
 use crate::planes;
 use crate::samples::{SampleType, VoxelBuffer};
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions, Source};
+use crate::storage::Storage;
 use crate::stream;
 use crate::time::{Clock, Times};
 use crate::volume::Volume;
 
-/// Reads an array of `length` bytes, its header included, which were unpacked from `packing`; the volume, and how many bytes
+/// Reads an array of `length` bytes, its header included, which were unpacked from `packing`, or lie in `storage` as they are; the volume, and how many bytes
 /// of other points in time and of nothing that is known are left behind its voxels.
 pub(super) fn read(
     reader: &mut dyn Read,
@@ -25,6 +27,7 @@ pub(super) fn read(
     part: Option<&str>,
     report: Report,
     options: &OpenOptions,
+    storage: Option<Storage>,
 ) -> Result<(Volume, u64), Error> {
     let header = Header::read(reader, length, wanted(part, options), report)?;
     let place = header.dictionary;
@@ -45,10 +48,18 @@ pub(super) fn read(
         assumptions.push(format!("{} bytes behind the last voxel were left unread", there - all));
     }
     let stored = if components.is_some() { SampleType::F32 } else { sample };
-    memory::check(report, count * components::stored_bytes(stored, components), options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
-    let (voxels, left) = match components {
-        Some(components) if beside.is_none() => {
+    let contiguous = storage.filter(|_| components.is_none()).map(|storage| {
+        let start = header.data_start.saturating_add(before);
+        Contiguous { storage, name: report.file, start, dimensions: header.dimensions, sample, endian }
+    });
+    let paged = contiguous.map(|data| data.open(options)).transpose()?.flatten();
+    if paged.is_none() {
+        memory::check(report, count as u64 * components::stored_bytes(stored, components), options.max_bytes)?;
+    }
+    let (voxels, left) = match (components, paged) {
+        (_, Some(paged)) => (paged, there - before - bytes),
+        (Some(components), None) if beside.is_none() => {
             let voxels = planes::read(report, reader, count, components, (before, plane - before - bytes))?;
             let unread = (planes.count - components.needed() as u64) * plane;
             (voxels, there - all + unread + plane - before - bytes)

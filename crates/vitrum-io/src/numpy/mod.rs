@@ -36,7 +36,8 @@ impl VolumeReader for Numpy {
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let part = options.array.as_deref();
-        let (mut volume, _) = array::read(&mut input.open()?, input.length, "raw", part, report, options)?;
+        let (mut volume, _) =
+            array::read(&mut input.open()?, input.length, "raw", part, report, options, Some(input.storage()))?;
         volume.source.format = self.format().name;
         Ok(volume)
     }

@@ -14,8 +14,16 @@ use vitrum_io::{Input, OpenOptions, mesh_readers, open_mesh, read_picture_with, 
 /// Largest memory that a file may ask for, in bytes: enough for every path through a reader, and soon filled.
 const MOST: u64 = 1 << 20;
 
-const OPTIONS: OpenOptions =
-    OpenOptions { max_bytes: Some(MOST), raw: None, spacing: None, array: None, time: None, seconds: None, up: None };
+const OPTIONS: OpenOptions = OpenOptions {
+    max_bytes: Some(MOST),
+    paged: false,
+    raw: None,
+    spacing: None,
+    array: None,
+    time: None,
+    seconds: None,
+    up: None,
+};
 
 /// The format of a target's bytes.
 #[derive(Debug, Clone, Copy)]

@@ -48,6 +48,8 @@ impl<'a> GradientMagnitudes<'a> {
 #[must_use]
 pub fn gradient_percentiles<const N: usize>(volume: &Volume, shares: [f64; N]) -> [f32; N] {
     const MOST: usize = 1 << 20;
+    let overview = volume.paged.is_some().then(|| volume.overview());
+    let volume = overview.as_ref().unwrap_or(volume);
     let count = volume.voxel_count();
     let [width, height, _] = volume.dimensions.map(|size| size as usize);
     // An odd step meets voxels of all columns.

@@ -78,7 +78,9 @@ impl Changes {
     ) -> Self {
         let transfer = &scene.transfer;
         // What was computed or made in memory has the values that it should have.
-        let measured = !volumes.bending().source.format.is_empty();
+        let bending = volumes.bending();
+        // What stays in its file is not smoothed by itself.
+        let measured = !bending.source.format.is_empty() && bending.paged.is_none();
         let ior = match transfer.ior_smoothing {
             _ if !bends(scene) => transfer.opacity_smoothing,
             Some(radius) => radius,
@@ -112,6 +114,9 @@ impl Changes {
     pub(crate) fn made(&self, assets: &Assets) -> Result<Option<Subject>, Error> {
         if *self == Self::default() {
             return Ok(None);
+        }
+        for volume in assets.subject.volumes().iter().flat_map(|volumes| volumes.iter()) {
+            volume.require_whole("smoothing, leaving out specks, a mask or colour by gradient")?;
         }
         let Some(smoothed) = self.whole(&assets.subject)? else { return Ok(None) };
         let subject = self.unhidden(assets, smoothed)?;
@@ -210,6 +215,7 @@ impl Fineness {
     pub(crate) fn made(self, subject: &Subject) -> Result<Subject, Error> {
         let Self([shown_factors, ior_factors]) = self;
         let finer = |volume: &Volume, factors| {
+            volume.require_whole("cubic interpolation")?;
             if preset::holds_labels(volume) {
                 return Err(Unrenderable::CubicLabels { name: volume.name.clone() }.into());
             }

@@ -10,7 +10,7 @@ use crate::method::view::point_between_voxels;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::sync::Arc;
-use vitrum_io::{Volume, Voxels};
+use vitrum_io::{BrickRanges, Volume, Voxels};
 use vitrum_kernels::abi::sweep::blend;
 use vitrum_kernels::field::tables::ior;
 
@@ -47,6 +47,13 @@ pub(super) enum Ranges {
 
 impl Ranges {
     pub(super) fn new(volume: &Volume) -> Self {
+        if let Some(paged) = &volume.paged {
+            return match &paged.ranges {
+                BrickRanges::U8(ranges) => Self::U8(ranges.clone()),
+                BrickRanges::U16(ranges) => Self::U16(ranges.clone()),
+                BrickRanges::F32(ranges) => Self::F32(ranges.clone()),
+            };
+        }
         let bricks = bricks(volume).map(|n| n as usize);
         let edge = 1 << brick_shift(volume);
         match &volume.voxels {

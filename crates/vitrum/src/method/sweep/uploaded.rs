@@ -1,7 +1,7 @@
 //! The volumes of a frame on a backend.
 
 use super::occupancy::Ranges;
-use super::voxels::{chosen_format, fit, upload};
+use super::voxels::{chosen_format, fit, is_paged, upload};
 use crate::backend::{Backend, Buffer, Contents};
 use crate::error::Error;
 use crate::subject::Volumes;
@@ -30,7 +30,9 @@ impl UploadedVolumes {
         let Volumes { shown, ior: bending } = volumes;
         let format = chosen_format(shown, bending);
         if !fit(volumes, format, backend) {
-            return Ok(Self { tight: false, ..Self::streamed(volumes)? });
+            // Without a limit, voxels that do not fit into memory take as little of it as they can.
+            let tight = is_paged(volumes) && backend.volume_limit() == u64::MAX;
+            return Ok(Self { tight, ..Self::streamed(volumes)? });
         }
         let voxels = upload(shown, format, backend)?;
         let ior_voxels = match (bending, &shown.colors) {

@@ -13,13 +13,6 @@ use vitrum_kernels::abi::format::{Format, page};
 use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 
-/// log₂ of the edge of a brick of the occupancy buffer, in voxels, for volumes of at most [`MOST_BRICKS`] such bricks.
-const FINEST_BRICK: u32 = 2;
-
-/// Largest number of bricks of a volume, a word each. Larger volumes have larger bricks, so that the words take less than a tenth of
-/// the voxels' memory.
-const MOST_BRICKS: u64 = 1 << 23;
-
 /// The format in which a volume is stored on the device, and with which kernels read it; `ior` is the second volume, if there is one. Floats with colours have
 /// been made 16 bits wide before ([`crate::shown`]); colours of others do not count.
 pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
@@ -34,16 +27,24 @@ pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
 
 /// Bytes of a volume in the format `stored`.
 pub(super) fn bytes(volume: &Volume, stored: Format) -> u64 {
-    volume.voxels.len() as u64 * stored.bytes()
+    volume.grid_count() * stored.bytes()
 }
 
 /// Whether each of `volumes` fits the backend in one piece.
 pub(super) fn fit(volumes: Volumes<'_>, stored: Format, backend: &dyn Backend) -> bool {
+    if is_paged(volumes) {
+        return false;
+    }
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
     let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * stored.bytes());
     let colors = volumes.shown.colors.as_ref().map(|colors| colors.len() as u64 * 4);
     let sizes = volumes.iter().map(|volume| bytes(volume, stored)).chain(colors);
     sizes.clone().all(|size| size <= most) && sizes.sum::<u64>() <= backend.volume_limit()
+}
+
+/// Whether the voxels of one of the volumes stay in their file.
+pub(super) fn is_paged(volumes: Volumes<'_>) -> bool {
+    volumes.iter().any(|volume| volume.paged.is_some())
 }
 
 /// Uploads a volume in one piece. The CPU backend reads the volume's own memory, unless its voxels have to be converted to floats.
@@ -79,8 +80,7 @@ fn wider(voxels: &[u8], backend: &mut dyn Backend) -> Result<Buffer, BackendErro
 
 /// log₂ of the edge of a volume's bricks.
 pub(super) fn brick_shift(volume: &Volume) -> u32 {
-    let count = |shift: u32| volume.dimensions.iter().map(|n| u64::from(n.div_ceil(1 << shift))).product::<u64>();
-    (FINEST_BRICK..31).find(|&shift| count(shift) <= MOST_BRICKS).unwrap_or(31)
+    vitrum_io::brick_shift(volume.dimensions)
 }
 
 /// Bricks along each axis.

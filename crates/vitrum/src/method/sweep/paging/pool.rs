@@ -195,32 +195,64 @@ impl Source {
     fn fill(self: &Arc<Self>, numbers: Vec<u32>, slot_words: usize) -> Arc<Fill> {
         let source = Arc::clone(self);
         Arc::new(move |to| {
-            let floats = source.stored.bytes() == 4;
-            to.par_chunks_exact_mut(slot_words).zip(&numbers).for_each(|(to, &number)| match &source.volume.voxels {
-                Voxels::U8(voxels) if floats => source.page::<_, f32>(voxels, number, to),
-                Voxels::U16(voxels) if floats => source.page::<_, f32>(voxels, number, to),
-                Voxels::U8(voxels) => source.page::<_, u8>(voxels, number, to),
-                Voxels::U16(voxels) => source.page::<_, u16>(voxels, number, to),
-                Voxels::F32(voxels) => source.page::<_, f32>(voxels, number, to),
-            });
+            to.par_chunks_exact_mut(slot_words).zip(&numbers).for_each(|(to, &number)| source.write(number, to));
         })
     }
 
-    /// Copies a page's voxels, with the nearest voxel of the grid for places beyond it.
-    fn page<T: Copy, U: From<T> + Pod>(&self, voxels: &[T], number: u32, to: &mut [u32]) {
-        let to: &mut [U] = bytemuck::cast_slice_mut(to);
-        let sizes = self.volume.dimensions.map(|n| n as usize);
-        let first = |axis: usize| {
+    /// Writes a page. One that cannot be read is zeros, and the frame fails at its end.
+    fn write(&self, number: u32, to: &mut [u32]) {
+        let Some(paged) = &self.volume.paged else {
+            return self.copy(&self.volume.voxels, ([0; 3], self.volume.dimensions), number, to);
+        };
+        let first = self.first(number);
+        let inside = |at: i64, axis: usize| at.clamp(0, i64::from(self.volume.dimensions[axis]) - 1) as u32;
+        let low = [0, 1, 2].map(|axis| inside(first[axis], axis));
+        let size = [0, 1, 2].map(|axis| inside(first[axis] + i64::from(page::ROW) - 1, axis) - low[axis] + 1);
+        match paged.read(low, size) {
+            Some(block) => self.copy(&block, (low, size), number, to),
+            None => to.fill(0),
+        }
+    }
+
+    /// Copies a page's voxels from the block that has `size` voxels from `low` on.
+    fn copy(&self, voxels: &Voxels, block: ([u32; 3], [u32; 3]), number: u32, to: &mut [u32]) {
+        let floats = self.stored.bytes() == 4;
+        match voxels {
+            Voxels::U8(voxels) if floats => self.page::<_, f32>(voxels, block, number, to),
+            Voxels::U16(voxels) if floats => self.page::<_, f32>(voxels, block, number, to),
+            Voxels::U8(voxels) => self.page::<_, u8>(voxels, block, number, to),
+            Voxels::U16(voxels) => self.page::<_, u16>(voxels, block, number, to),
+            Voxels::F32(voxels) => self.page::<_, f32>(voxels, block, number, to),
+        }
+    }
+
+    /// The first place of a page, which may lie before the grid.
+    fn first(&self, number: u32) -> [i64; 3] {
+        [0, 1, 2].map(|axis| {
             let at = number / self.pages[..axis].iter().product::<u32>() % self.pages[axis];
             i64::from(at) * i64::from(page::EDGE) - 1 - i64::from(page::BEFORE)
-        };
-        let limited = |at: i64, axis: usize| at.clamp(0, sizes[axis] as i64 - 1) as usize;
+        })
+    }
+
+    /// As [`Self::copy`], with the nearest voxel of the grid for places beyond it.
+    fn page<T: Copy, U: From<T> + Pod>(
+        &self,
+        voxels: &[T],
+        (low, sizes): ([u32; 3], [u32; 3]),
+        number: u32,
+        to: &mut [u32],
+    ) {
+        let to: &mut [U] = bytemuck::cast_slice_mut(to);
+        let first = self.first(number);
+        // Places beyond the grid lie beyond the block, too, which ends there.
+        let limited = |at: i64, axis: usize| (at - i64::from(low[axis])).clamp(0, i64::from(sizes[axis]) - 1) as usize;
+        let [width, height, _] = sizes.map(|n| n as usize);
         let edge = page::ROW as usize;
         for (row, to) in to[..edge * edge * edge].chunks_exact_mut(edge).enumerate() {
-            let y = limited(first(1) + (row % edge) as i64, 1);
-            let z = limited(first(2) + (row / edge) as i64, 2);
-            let from = &voxels[(z * sizes[1] + y) * sizes[0]..][..sizes[0]];
-            for (x, to) in (first(0)..).zip(to) {
+            let y = limited(first[1] + (row % edge) as i64, 1);
+            let z = limited(first[2] + (row / edge) as i64, 2);
+            let from = &voxels[(z * height + y) * width..][..width];
+            for (x, to) in (first[0]..).zip(to) {
                 *to = U::from(from[limited(x, 0)]);
             }
         }
