@@ -94,6 +94,28 @@ impl Volume {
         })
     }
 
+    /// Voxels along x, y and z.
+    #[getter]
+    fn dimensions(&self) -> [u32; 3] {
+        self.0.dimensions
+    }
+
+    /// The type of the stored voxels, as NumPy names it.
+    #[getter]
+    fn dtype(&self) -> &'static str {
+        match self.0.voxels {
+            Voxels::U8(_) => "uint8",
+            Voxels::U16(_) => "uint16",
+            Voxels::F32(_) => "float32",
+        }
+    }
+
+    /// Whether the voxels stay in their file.
+    #[getter]
+    fn is_paged(&self) -> bool {
+        self.0.paged.is_some()
+    }
+
     #[getter]
     fn name(&self) -> &str {
         &self.0.name
@@ -158,7 +180,7 @@ impl Volume {
 
 /// Reads the volume of a file or a folder.
 #[pyfunction]
-#[pyo3(signature = (path, raw = None, array = None, time = None, seconds = None, up = None, spacing = None, max_bytes = None))]
+#[pyo3(signature = (path, raw = None, array = None, time = None, seconds = None, up = None, spacing = None, max_bytes = None, paged = false))]
 #[expect(clippy::too_many_arguments, reason = "each is a keyword of Python's `open`")]
 pub fn open(
     py: Python<'_>,
@@ -170,11 +192,12 @@ pub fn open(
     up: Option<&str>,
     spacing: Option<[f32; 3]>,
     max_bytes: Option<u64>,
+    paged: bool,
 ) -> PyResult<Py<PyAny>> {
     let wrong = |problem: String| Failure::value(problem, "see the documentation of `open`");
     let options = OpenOptions {
         max_bytes,
-        paged: false,
+        paged,
         raw: raw.map(str::parse).transpose().map_err(wrong)?,
         spacing,
         array,

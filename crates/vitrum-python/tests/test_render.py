@@ -232,6 +232,16 @@ def test_files_are_volumes_with_a_place(file: Path, volume: np.ndarray) -> None:
     np.testing.assert_array_equal(again.affine, opened.affine)
 
 
+def test_paged_volumes_look_like_whole_ones(file: Path) -> None:
+    paged = vr.open(file, paged=True)
+    assert isinstance(paged, vr.Volume) and paged.is_paged and paged.shape == vr.open(file).shape and "uint8" in repr(paged)
+    with pytest.raises(vr.FileError, match="in memory"):
+        _ = paged.values
+    scene = vr.Session(file, **DRAFT, backend="cpu").scene
+    pictures = [vr.render(volume, scene=scene, backend="cpu") for volume in (paged, vr.open(file))]
+    np.testing.assert_array_equal(pictures[0].color, pictures[1].color)
+
+
 def test_pictures_show_themselves(small: vr.Session) -> None:
     picture = small.render()
     png = picture._repr_png_()

@@ -109,8 +109,13 @@ class Volume:
     @property
     def shape(self) -> tuple[int, int, int]:
         """Voxels along z, y and x."""
-        z, y, x = self.array.shape
+        x, y, z = self._native.dimensions
         return z, y, x
+
+    @property
+    def is_paged(self) -> bool:
+        """Whether the voxels stay in their file, of which pages are read as planes come to them; :attr:`array` and :attr:`values` raise then."""
+        return self._native.is_paged
 
     @property
     def spacing(self) -> tuple[float, float, float]:
@@ -168,7 +173,7 @@ class Volume:
         z, y, x = self.shape
         low, high = self.range
         spacing = " × ".join(f"{step:g}" for step in self.spacing)
-        return f"<Volume {self.name!r}: {z} × {y} × {x} {self.array.dtype}, spacing {spacing} (z, y, x), values {low:g} to {high:g}>"
+        return f"<Volume {self.name!r}: {z} × {y} × {x} {self._native.dtype}, spacing {spacing} (z, y, x), values {low:g} to {high:g}>"
 
 
 def _volume(array: Any, name: str, spacing: Any, mapping: Any, placement: Any) -> Volume:
@@ -277,6 +282,7 @@ def open(
     seconds: float | None = None,
     raw: str | None = None,
     max_bytes: int | None = None,
+    paged: bool = False,
 ) -> Volume | Mesh:
     """Reads the volume or the mesh of a file or a folder: NRRD, NIfTI, MetaImage, VTK, NumPy, TIFF, DICOM, raw; OBJ, PLY, STL, glTF.
 
@@ -296,6 +302,9 @@ def open(
         The layout of a file without a header, such as ``256x256x109:u8``, x first.
     max_bytes : int, optional
         The most memory that the data may take; the machine's without it.
+    paged : bool
+        Whether the voxels stay in the file even where the memory has room for them; those that it has no room for stay there anyway. For uncompressed
+        volumes in one file.
 
     Raises
     ------
@@ -303,5 +312,5 @@ def open(
         Where the file cannot be read or is damaged.
     """
     steps = None if spacing is None else arrays.spacing(spacing)
-    found = _native.open(os.fspath(path), raw, array, time, seconds, up, steps, max_bytes)
+    found = _native.open(os.fspath(path), raw, array, time, seconds, up, steps, max_bytes, paged)
     return Volume._of(found) if isinstance(found, _native.Volume) else Mesh._of(found)
