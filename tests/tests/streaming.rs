@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use std::path::Path;
 use std::sync::Arc;
 use vitrum::backend::{Backend, BackendError, Buffer, CpuBackend};
 use vitrum::io::{Shared, Volume, Voxels};
@@ -221,24 +222,20 @@ fn what_a_small_volume_needs_is_all_of_it_at_most() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A case whose volume stays in a file of raw voxels; the file is gone with the folder.
-fn paged(case: &Case, folder: &std::path::Path) -> Result<Case, Failure> {
-    let volume = case.volume();
+/// A volume that stays in a file of raw voxels.
+fn paged(volume: &Volume, role: &str, folder: &Path) -> Result<Arc<Volume>, Failure> {
     let (kind, bytes) = match &volume.voxels {
         Voxels::U8(voxels) => ("uint8", voxels.to_vec()),
         Voxels::U16(voxels) => ("uint16", voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect()),
         Voxels::F32(voxels) => ("float32", voxels.iter().flat_map(|voxel| voxel.to_le_bytes()).collect()),
     };
     let [x, y, z] = volume.dimensions;
-    let path = folder.join(format!("a_{x}x{y}x{z}_{kind}_le.raw"));
+    let path = folder.join(format!("{role}_{x}x{y}x{z}_{kind}_le.raw"));
     std::fs::write(&path, bytes).map_err(|error| Failure::Setup(error.to_string()))?;
     let options = vitrum::io::OpenOptions { paged: true, ..Default::default() };
     let opened = vitrum::io::open(&path, &options).map_err(Error::from)?;
-    assert!(opened.paged.is_some(), "{}: the file was read whole", case.name);
-    let (voxels, paged) = (opened.voxels.clone(), opened.paged.clone());
-    let mut case = case.clone();
-    case.assets.subject = Volume { voxels, paged, ..volume.clone() }.into();
-    Ok(case)
+    assert!(opened.paged.is_some(), "{}: the file was read whole", path.display());
+    Ok(Arc::new(Volume { voxels: opened.voxels, paged: opened.paged, ..volume.clone() }))
 }
 
 #[test]
@@ -256,7 +253,12 @@ fn a_volume_that_stays_in_its_file_gives_the_picture_of_the_whole_one() -> Resul
     ] {
         let name = case.name.clone();
         let (whole, _) = run(&case.clone().streamed(), &mut cpu)?;
-        let case = paged(&case, folder.path())?;
+        let of = |volume: &Volume, role| paged(volume, role, folder.path());
+        let mut case = case;
+        case.assets.subject = match &case.assets.subject {
+            Subject::Volumes { shown, ior } => Subject::Volumes { shown: of(shown, "shown")?, ior: of(ior, "ior")? },
+            _ => Subject::Volume(of(case.volume(), "shown")?),
+        };
         // It is streamed by itself.
         let (found, _) = run(&case, &mut cpu)?;
         assert!(whole == found, "{name}: {} values differ", differing(&whole, &found));

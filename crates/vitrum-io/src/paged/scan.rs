@@ -29,6 +29,9 @@ pub(super) fn scan(
 /// What a row of bricks gives: their ranges, and the kept voxels with the row of the overview in which each run of them lies.
 type Row<T> = (Vec<(T, T)>, Vec<(usize, Vec<T>)>);
 
+/// The ranges and the overview while rows of bricks come in, and the first failure.
+type Gathered<T> = (Vec<(T, T)>, Vec<T>, Option<Error>);
+
 fn of<T: Stores>(report: Report, source: &dyn VoxelSource, dimensions: [u32; 3], stride: u32) -> Result<Scanned, Error>
 where
     Voxels: From<Vec<T>>,
@@ -38,7 +41,7 @@ where
     let kept = dimensions.map(|n| n.div_ceil(stride) as usize);
     let next = AtomicUsize::new(0);
     let rows = height * depth;
-    let all: Mutex<(Vec<(T, T)>, Vec<T>, Option<Error>)> =
+    let all: Mutex<Gathered<T>> =
         Mutex::new((vec![(T::zeroed(), T::zeroed()); width * rows], vec![T::zeroed(); kept.iter().product()], None));
     let lock = || all.lock().unwrap_or_else(PoisonError::into_inner);
     let work = || {
@@ -94,6 +97,7 @@ fn of_row<T: Stores>(
     };
     let mut ranges: Vec<(T, T)> = voxels[..size[0] as usize].iter().step_by(edge as usize).map(|&v| (v, v)).collect();
     let mut runs = Vec::new();
+    let floats = matches!(read, Voxels::F32(_));
     let overview_rows = dimensions[1].div_ceil(stride) as usize;
     for (index, line) in voxels.chunks_exact(size[0] as usize).enumerate() {
         for (range, part) in ranges.iter_mut().zip(line.chunks(edge as usize)) {
@@ -102,7 +106,7 @@ fn of_row<T: Stores>(
                 range.1 = if value > range.1 { value } else { range.1 };
             }
         }
-        if line.iter().any(|&value| !Into::<f32>::into(value).is_finite()) {
+        if floats && line.iter().any(|&value| !Into::<f32>::into(value).is_finite()) {
             let problem = "some voxels are NaN or infinite, and they stay in the file";
             return Err(report.unsupported(Place::File, problem, "write finite values, or allow more memory"));
         }
