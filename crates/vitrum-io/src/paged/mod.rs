@@ -1,19 +1,17 @@
 //! Volumes larger than memory: their voxels stay in a file, of which blocks are read when they are needed.
 
+mod contiguous;
 mod file;
 mod scan;
+mod whole;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::error::{Error, Place, Report};
-use crate::memory;
-use crate::options::OpenOptions;
-use crate::samples::{Endian, SampleType};
+use crate::error::{Error, Report};
 use crate::shared::Shared;
-use crate::storage::Storage;
-use crate::stored::Stored;
-use crate::volume::Volume;
 use crate::voxels::Voxels;
+
+pub(crate) use contiguous::Contiguous;
 
 /// log₂ of the edge of a brick, in voxels, for volumes of at most [`MOST_BRICKS`] such bricks.
 const FINEST_BRICK: u32 = 2;
@@ -24,13 +22,6 @@ const MOST_BRICKS: u64 = 1 << 23;
 
 /// The most voxels of an overview.
 const MOST_OF_OVERVIEW: u64 = 1 << 21;
-
-/// The least limit on memory for which a file opens paged by itself: overview and ranges have to fit, too.
-const LEAST_LIMIT: u64 = 64 << 20;
-
-/// The edge of a page of a renderer, in voxels, and the most pages of a volume, which are counted by 32 bits and need a few words each.
-const PAGE: u64 = 16;
-const MOST_PAGES: u64 = 1 << 27;
 
 /// log₂ of the edge of a volume's bricks, of each of which the least and the greatest value are known.
 #[must_use]
@@ -102,89 +93,6 @@ impl Paged {
     /// The first failure since the last call.
     pub fn take_failure(&self) -> Option<Error> {
         self.failure.lock().unwrap_or_else(PoisonError::into_inner).take()
-    }
-}
-
-/// The samples of a volume that lie in one file, one behind the other.
-pub(crate) struct Contiguous<'a> {
-    pub storage: Storage<'a>,
-    /// The file's name, for messages.
-    pub name: &'a str,
-    /// The byte of the first sample.
-    pub start: u64,
-    pub dimensions: [u32; 3],
-    pub sample: SampleType,
-    pub endian: Endian,
-}
-
-impl Contiguous<'_> {
-    /// The voxels as they stay in the file, where `options` ask for that or they need more memory than there is; `None` if they are
-    /// to be read, or the bytes are not on a disk.
-    pub fn open(self, options: &OpenOptions) -> Result<Option<Stored>, Error> {
-        let Storage::Disk(path) = &self.storage else { return Ok(None) };
-        let count = |n: u32| u64::from(n);
-        let voxels = self.dimensions.map(count).iter().try_fold(1_u64, |all, &n| all.checked_mul(n));
-        let needed = voxels.and_then(|n| n.checked_mul(self.sample.stored_size() as u64)).unwrap_or(u64::MAX);
-        let limit = || options.max_bytes.unwrap_or_else(memory::available);
-        let exceeds = || (limit() >= LEAST_LIMIT) && needed > limit();
-        if !options.paged && !exceeds() {
-            return Ok(None);
-        }
-        let report = Report::new(self.name);
-        let pages = self.dimensions.iter().map(|&n| u64::from(n) / PAGE + 1);
-        if pages.into_iter().try_fold(1_u64, u64::checked_mul).is_none_or(|pages| pages > MOST_PAGES) {
-            let problem = format!("the volume has more than {MOST_PAGES} pages of {PAGE}³ voxels");
-            return Err(report.unsupported(Place::File, problem, "crop or downsample the data first"));
-        }
-        let source = file::FileSource::open(report, path, &self)?;
-        let (voxels, paged) = Paged::new(report, Arc::new(source), self.dimensions)?;
-        Ok(Some(Stored { voxels, colors: None, paged: Some(Arc::new(paged)) }))
-    }
-}
-
-impl Volume {
-    /// The number of the grid's voxels, wherever they are.
-    #[must_use]
-    pub fn grid_count(&self) -> u64 {
-        self.dimensions.into_iter().map(u64::from).product()
-    }
-
-    /// The physical value at a voxel that is read from the file; NaN where that fails.
-    pub(crate) fn paged_value(&self, at: [u32; 3]) -> f32 {
-        let at = [0, 1, 2].map(|axis| at[axis].min(self.dimensions[axis].saturating_sub(1)));
-        let read = self.paged.as_ref().and_then(|paged| paged.read(at, [1; 3]));
-        let stored = read.and_then(|voxels| voxels.stored(0));
-        stored.map_or(f32::NAN, |stored| stored * self.value_scale + self.value_offset)
-    }
-
-    /// The volume as it is, or where its voxels stay in a file, its overview: every few voxels along each axis, all in memory, on a grid of
-    /// its own with the same first voxel.
-    #[must_use]
-    pub fn overview(&self) -> Self {
-        let Some(paged) = &self.paged else { return self.clone() };
-        let stride = paged.stride;
-        Self {
-            dimensions: self.dimensions.map(|n| n.div_ceil(stride)),
-            spacing: self.spacing.map(|spacing| spacing * stride as f32),
-            paged: None,
-            ..self.clone()
-        }
-    }
-
-    /// Fails where the voxels stay in a file: `what` needs all of them in memory.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Unsupported`] of a paged volume.
-    pub fn require_whole(&self, what: &str) -> Result<(), Error> {
-        if self.paged.is_none() {
-            return Ok(());
-        }
-        Err(Report::new(&self.name).unsupported(
-            Place::File,
-            format!("{what} needs all voxels in memory, and they stay in the file"),
-            "leave that out, allow more memory, or crop or downsample the data first",
-        ))
     }
 }
 
