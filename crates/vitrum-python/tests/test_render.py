@@ -242,6 +242,14 @@ def test_paged_volumes_look_like_whole_ones(file: Path) -> None:
     np.testing.assert_array_equal(pictures[0].color, pictures[1].color)
 
 
+def test_paged_volumes_are_framed_by_their_overview(tmp_path: Path) -> None:
+    # More voxels than an overview has: every second one along each axis is looked at.
+    z, y, x = np.mgrid[-1:1:136j, -1:1:136j, -1:1:136j]
+    np.save(tmp_path / "large.npy", (255 * np.clip(4 - 16 * np.sqrt((x - 0.3) ** 2 + y * y + z * z), 0, 1)).astype(np.uint8))
+    whole, paged = (vr.render(vr.open(tmp_path / "large.npy", paged=paged), **DRAFT, backend="cpu") for paged in (False, True))
+    assert whole.color.std() > 0.05 and vr.diff(whole, paged).rmse < 0.05
+
+
 def test_pictures_show_themselves(small: vr.Session) -> None:
     picture = small.render()
     png = picture._repr_png_()

@@ -39,6 +39,9 @@ pub(crate) fn points(scene: &Scene, subject: &Subject) -> Vec<DVec3> {
 }
 
 fn of_volume(scene: &Scene, volume: &Volume, by: By) -> Vec<DVec3> {
+    let whole = volume;
+    // Every few voxels of a volume that stays in its file.
+    let volume = &volume.overview();
     let finest = volume.finest_spacing();
     let visible = Visible::new(scene, by, (volume.extent(), volume.common_range(), finest));
     let all = runs(volume, &visible);
@@ -48,7 +51,7 @@ fn of_volume(scene: &Scene, volume: &Volume, by: By) -> Vec<DVec3> {
     let least = (total as f64 * SPECK) as u64;
     let parts = || all.iter().zip(&sizes).filter(|(_, size)| **size > least).map(|(run, _)| run);
     let kept: u64 = parts().map(length).sum();
-    let clips = Clips::new(scene, volume);
+    let clips = Clips::new(scene, whole, volume);
     let mut points = Vec::new();
     let mut hull = |run: &Run| corners(*run, volume, &clips, &mut points);
     // Runs of a row lie within its first and its last, but where a plane cuts in between.
@@ -77,8 +80,9 @@ fn spans<'a>(runs: impl Iterator<Item = &'a Run>, each: bool) -> Vec<Run> {
 struct Clips(Vec<(DVec3, f64)>);
 
 impl Clips {
-    fn new(scene: &Scene, volume: &Volume) -> Self {
-        let corners = Bounds::from(volume).corners();
+    /// By the coordinates of `volume`, which is `whole` or its overview.
+    fn new(scene: &Scene, whole: &Volume, volume: &Volume) -> Self {
+        let corners = Bounds::from(whole).corners();
         let centre = corners.iter().sum::<DVec3>() / 8.0;
         let removing = scene.clip.iter().filter(|clip| clip.removes == Removes::Everything);
         let plane = |clip: &Clip| {
