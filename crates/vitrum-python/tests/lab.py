@@ -18,7 +18,7 @@ from typing import Any
 
 import vitrum_render as vr
 
-_SECONDS = 60.0
+_SECONDS = 30.0
 
 
 def missing() -> str | None:

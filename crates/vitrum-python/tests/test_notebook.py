@@ -208,7 +208,7 @@ def test_it_is_turned_by_hand_in_jupyterlab(tmp_path: Path) -> None:
             lab.until("a key turns it", lambda: evaluate("viewer.azimuth") == pytest.approx(turned[0] + 5))
 
             slider = driver.find_element(By.CSS_SELECTOR, ".vitrum-opacity")
-            slider.send_keys(Keys.ARROW_RIGHT)
+            ActionChains(driver).move_to_element_with_offset(slider, 25, 0).click().perform()
             lab.until("opacity changes", lambda: evaluate("viewer.opacity") > 1)
             menu = driver.find_element(By.CSS_SELECTOR, ".vitrum-preset")
             menu.send_keys("haze")

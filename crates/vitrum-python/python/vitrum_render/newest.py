@@ -18,6 +18,9 @@ _DRAFT_SECONDS = 0.07
 _LEAST_EDGE = 160
 _FIRST_EDGE = 320
 _STEP = 16
+# Where the smallest picture takes longer, its samples are so many times as far apart, and light has so many cells.
+_COARSEST = 4.0
+_COARSE_CELLS = 80
 
 
 class _Superseded(Exception):
@@ -51,6 +54,7 @@ class Newest:
         self._wanted: Request | None = None
         self._ends = False
         self._edge = _FIRST_EDGE
+        self._distance = 1.0
         self.thread = threading.Thread(target=self._run, name="vitrum-view", daemon=True)
         self.thread.start()
 
@@ -102,9 +106,15 @@ class Newest:
                 raise _Superseded
 
         picture = self._session.render(draft, progress=goes_on)
+        seconds = max(time.monotonic() - begin, 1e-3)
         self._deliver(picture, False)
-        factor = math.sqrt(_DRAFT_SECONDS / max(time.monotonic() - begin, 1e-3))
-        self._edge = max(_LEAST_EDGE, int(edge * min(max(factor, 0.5), 1.25)) // _STEP * _STEP)
+        # Samples come first: a picture gets larger only when they are as close as they should be.
+        left = _DRAFT_SECONDS / seconds
+        if edge <= _LEAST_EDGE or self._distance > 1:
+            self._distance = min(max(self._distance / min(max(left, 0.5), 1.25), 1.0), _COARSEST)
+        if self._distance == 1 or left < 1:
+            factor = min(max(math.sqrt(left), 0.5), 1.25)
+            self._edge = max(_LEAST_EDGE, int(edge * factor) // _STEP * _STEP)
 
     def _whole_goes_on(self, *_: object) -> None:
         if self._ends or self._wanted is not None:
@@ -118,4 +128,7 @@ class Newest:
             self._edge = max(width, height)
             scale = 1
         small = {"film.width": max(1, round(width * scale)), "film.height": max(1, round(height * scale))}
-        return scene.copy().set({**small, "film.supersampling": 1, "film.refinement": 1})
+        coarse: dict[str, float] = {}
+        if self._distance > 1:
+            coarse = {"sweep.sample_distance": min(16.0, scene["sweep.sample_distance"] * self._distance), "sweep.light_cells": _COARSE_CELLS}
+        return scene.copy().set({**small, **coarse, "film.supersampling": 1, "film.refinement": 1})
