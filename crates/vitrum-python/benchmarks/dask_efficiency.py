@@ -33,7 +33,7 @@ def main() -> None:
     z, y, x = np.mgrid[-1:1:64j, -1:1:64j, -1:1:64j]
     volume = (255 * np.clip(1.5 - 1.5 * np.sqrt(x * x + y * y + z * z), 0, 1)).astype(np.uint8)
     times: dict[int, list[float]] = {1: [], 2: []}
-    clusters = {count: LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) for count in times}
+    clusters = {count: LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=":0") for count in times}
     clients = {count: Client(cluster) for count, cluster in clusters.items()}
     for run in range(runs):
         for count, client in clients.items():

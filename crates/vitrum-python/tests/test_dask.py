@@ -39,7 +39,7 @@ def cluster() -> Iterator[Any]:
     # Spawned workers may import the test's module, and inherit the path on which the package was found.
     source = str(Path(vr.__file__).parent.parent)
     os.environ["PYTHONPATH"] = os.pathsep.join([source, os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster:
         yield cluster
 
 
