@@ -16,7 +16,7 @@ def main() -> None:
     """Processes that are spawned read this file again: what starts them stands in a function."""
     from distributed import Client, LocalCluster
 
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster, Client(cluster) as client:
         grid = vr.dask.sweep(volume, {"light.0.azimuth": [-40, 0, 40], "preset": ["haze", "plain"]}, client=client, size=(160, 120))
         for values, picture in grid.items():
             print(values, picture.size)

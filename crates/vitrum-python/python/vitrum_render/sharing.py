@@ -172,7 +172,8 @@ def _in_order(job: Job, indices: list[int], client: Any, in_flight: int | None, 
             while order[0] not in ready:
                 future = next(completed)
                 index, sent, _ = flying.pop(future.key)
-                if future.cancelled() or future.status == "lost":
+                picture = _result(future)
+                if picture is None:
                     # The workers that had the data ended, all of them.
                     if sent == sendings:
                         if sendings == _RETRIES:
@@ -181,12 +182,25 @@ def _in_order(job: Job, indices: list[int], client: Any, in_flight: int | None, 
                         job.send(client)
                     submit(index)
                 else:
-                    ready[index] = future.result()
+                    ready[index] = picture
             picture = ready.pop(order.popleft())
             fill()
             yield picture
     finally:
         client.cancel([future for _, _, future in flying.values()])
+
+
+def _result(future: Any) -> RemotePicture | None:
+    """The picture; ``None`` where it was lost with its worker, also on the way here."""
+    from distributed import CancelledError
+
+    if future.cancelled() or future.status == "lost":
+        return None
+    try:
+        picture: RemotePicture = future.result()
+    except CancelledError:
+        return None
+    return picture
 
 
 def _client(client: Any) -> Any:
