@@ -3,8 +3,6 @@
 //! A test program of the crate `vitrum-kernels` would have all kernels compiled a second time, which takes longer than most tests: `cargo xtask test` leaves it
 //! out. Here the files with tests alone are compiled again, beside the crate that they are part of.
 
-#![allow(dead_code, missing_docs, reason = "of each file its tests alone are looked at")]
-
 use std::fs;
 use std::path::Path;
 // What the files call `crate`.
@@ -16,7 +14,7 @@ const KERNELS: &str = "../../shaders-rs/src/";
 /// The modules of these files.
 macro_rules! files {
     ($($module:ident: $path:literal),* $(,)?) => {
-        $(#[path = $path] mod $module;)*
+        $(#[allow(dead_code, reason = "its tests alone are looked at")] #[path = $path] mod $module;)*
         const FILES: &[&str] = &[$($path),*];
     };
 }

@@ -23,9 +23,9 @@ pub use sheet::{Tile, contact_sheet};
 
 use canvas::Canvas;
 use style::Style;
-use vitrum::Subject;
 use vitrum::method::{Bounds, View};
 use vitrum::scene::{Annotation, AnnotationKind, OrientationStyle, Scene};
+use vitrum::{Assets, Subject, framed};
 
 /// Why annotations cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -93,6 +93,20 @@ impl Overlay {
         }
         let (svg, notes) = canvas.finish();
         Ok(Some(Self { svg, notes }))
+    }
+
+    /// The annotations of a scene where the camera of its picture sees their places; `None` if it has none, and then the data is not looked at.
+    ///
+    /// # Errors
+    /// As [`Self::new`] and [`vitrum::framed`].
+    pub fn framed<E: From<vitrum::Error> + From<AnnotationError>>(
+        scene: &Scene,
+        assets: &Assets,
+    ) -> Result<Option<Self>, E> {
+        if scene.annotation.is_empty() {
+            return Ok(None);
+        }
+        Ok(Self::new(&framed(scene, assets)?, &assets.subject)?)
     }
 
     /// The SVG document, of the picture's size in pixels.

@@ -4,7 +4,7 @@ use crate::failure::{Failure, Status};
 use std::path::Path;
 use vitrum::io::{Picture, Staged, stage_text};
 use vitrum::scene::{Background, Scene};
-use vitrum::{Assets, Frame, Layers, framed};
+use vitrum::{Assets, Frame, Layers};
 use vitrum_annotations::{AnnotationError, Overlay, file_picture, is_of_screens, is_opaque, layers_of, screen_picture};
 
 /// What goes over the pictures of a scene.
@@ -15,11 +15,7 @@ pub struct Figure {
 impl Figure {
     /// The annotations of a scene.
     pub fn new(scene: &Scene, assets: &Assets) -> Result<Self, Failure> {
-        if scene.annotation.is_empty() {
-            return Ok(Self { overlay: None });
-        }
-        // Annotations lie where the picture's camera sees their places.
-        Ok(Self { overlay: Overlay::new(&framed(scene, assets)?, &assets.subject)? })
+        Ok(Self { overlay: Overlay::framed::<Failure>(scene, assets)? })
     }
 
     /// The frame's picture as a file gets it: formats of the screen with straight alpha and annotations, others linear and complete.

@@ -9,7 +9,7 @@ use crate::work;
 use pyo3::prelude::*;
 use std::sync::{Mutex, PoisonError};
 use vitrum::backend::{self, Backend, BackendError, Choice, GpuOptions};
-use vitrum::{Layers, OutputRequest, Renderer, framed, framed_all_round, method, scene};
+use vitrum::{Layers, OutputRequest, Renderer, framed_all_round, method, scene};
 use vitrum_annotations::Overlay;
 
 /// Data on a device.
@@ -118,11 +118,7 @@ impl Session {
                     renderer.show(data.assets.clone());
                 }
                 let frame = renderer.render(&scene, request, progress)?;
-                let overlay = if scene.annotation.is_empty() {
-                    None
-                } else {
-                    Overlay::new(&framed(&scene, &data.assets)?, &data.assets.subject)?
-                };
+                let overlay = Overlay::framed::<Failure>(&scene, &data.assets)?;
                 Ok(Frame { frame, scene, overlay })
             })
         })

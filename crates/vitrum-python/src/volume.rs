@@ -56,15 +56,6 @@ impl Volume {
         Ok(Self(Arc::new(volume)))
     }
 
-    /// The volume of a file's bytes, whose format is known by `name` and by the bytes themselves.
-    #[staticmethod]
-    fn of_bytes(py: Python<'_>, name: &str, bytes: Vec<u8>) -> PyResult<Self> {
-        let threads = process::threads()?;
-        let read = || io::open_bytes(name, &bytes, &OpenOptions::default());
-        let volume = py.detach(|| threads.run(read)).map_err(Failure::from)?;
-        Ok(Self(Arc::new(volume)))
-    }
-
     /// The volume placed in the world: `columns` are the world's steps along the index axes x, y and z.
     fn placed(&self, columns: [[f64; 3]; 3], origin: Option<[f64; 3]>, orientation: &str) -> PyResult<Self> {
         let known = [Orientation::Patient, Orientation::World, Orientation::Unknown];

@@ -76,7 +76,21 @@ def assignments(settings: Settings | None) -> list[str]:
     return list(settings)
 
 
-class Section(MutableMapping[str, Any]):
+class _Keys(MutableMapping[str, Any]):
+    """Keys that are attributes, too."""
+
+    __slots__ = ()
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self[name]
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self[name] = value
+
+
+class Section(_Keys):
     """A part of a scene, such as ``scene.camera`` or ``scene.light[0]``: reading and writing it reads and writes the scene."""
 
     __slots__ = ("_path", "_scene")
@@ -110,14 +124,6 @@ class Section(MutableMapping[str, Any]):
     def __len__(self) -> int:
         return len(self.to_python())
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return self[name]
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        self[name] = value
-
     def __dir__(self) -> list[str]:
         value = self.to_python()
         return [*super().__dir__(), *(value if isinstance(value, dict) else [])]
@@ -129,7 +135,7 @@ class Section(MutableMapping[str, Any]):
         return f"{self._path}: {self.to_python()!r}"
 
 
-class Scene(MutableMapping[str, Any]):
+class Scene(_Keys):
     """Everything that a picture is made of, but the data: camera, lights, transfer functions, film.
 
     Keys are those of scene files (``docs/scene.md``, :func:`vitrum_render.keys`), by dotted path or by attributes. A key that does not exist, a value of the
@@ -250,14 +256,6 @@ class Scene(MutableMapping[str, Any]):
 
     def __contains__(self, key: object) -> bool:
         return isinstance(key, str) and self._value(key) is not None
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return self[name]
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        self[name] = value
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.to_dict()]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import threading
 from collections.abc import Iterator, Sequence
@@ -20,10 +21,6 @@ from .scene import Scene, Settings, assignments
 BackendName = Literal["auto", "cpu", "gpu"]
 Quality = Literal["draft", "good", "best"]
 Side = Literal["anterior", "posterior", "left", "right", "superior", "inferior"]
-
-LOOK = frozenset(
-    ("preset", "medium", "quality", "transfer", "threshold", "window", "level", "colormap", "isosurfaces", "size", "view", "settings")
-)
 
 
 def _path_or_data(data: Any) -> tuple[str | None, Any]:
@@ -281,6 +278,10 @@ class Session:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         self.close()
+
+
+# What the look of a scene is composed of.
+LOOK = frozenset(inspect.signature(Session._compose).parameters) - {"self"}
 
 
 def frames_of(scene: Scene, frames: int, turn: float = 360.0) -> list[Scene]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any, Literal
 
 import numpy as np
@@ -51,9 +50,3 @@ def voxelize(
     affine = np.diag([edge, edge, edge, 1.0])
     affine[:3, 3] = first
     return Volume(array, affine=affine, name=f"voxels of {body.name}")._with_orientation("world")
-
-
-def statistics(mesh: Mesh, resolution: int, **settings: Any) -> dict[str, Any]:
-    """Counts, volume and times of a voxelization."""
-    found: dict[str, Any] = json.loads(_native.voxelize(mesh._native, resolution, **settings)[3])
-    return found

@@ -5,7 +5,7 @@ use super::request::{AnimationExport, Reply};
 use super::target::Target;
 use crate::trouble::Trouble;
 use std::sync::Arc;
-use vitrum::{Layers, framed, framed_all_round};
+use vitrum::{Layers, framed_all_round};
 use vitrum_annotations::{Overlay, screen_picture};
 
 impl Course {
@@ -41,7 +41,7 @@ impl Course {
             let scene = motion.at(&start, index, frames)?;
             let mailbox = Arc::clone(&self.mailbox);
             let frame = self.frame(&scene, Layers::color(), move || !mailbox.gives_export_up())?;
-            let overlay = Overlay::new(&framed(&scene, assets)?, &assets.subject)?;
+            let overlay = Overlay::framed::<End>(&scene, assets)?;
             target.add(index, &screen_picture(frame, overlay.as_ref(), target.is_opaque())?)?;
         }
         // Between the last picture's end and here it may have been given up, too.

@@ -235,7 +235,7 @@ impl Course {
         let mailbox = Arc::clone(&self.mailbox);
         let frame = self.frame(&export.scene, layers_of(&export.file), move || !mailbox.gives_export_up())?;
         let metadata = frame.metadata(&export.scene)?;
-        let overlay = Overlay::new(&vitrum::framed(&export.scene, &export.data.assets)?, &export.data.assets.subject)?;
+        let overlay = Overlay::framed::<End>(&export.scene, &export.data.assets)?;
         let picture = file_picture(frame, overlay.as_ref(), &export.file)?;
         stage_picture_with(&export.file, &picture, &metadata, &WriteOptions::default())?.put()?;
         Ok(())

@@ -2,7 +2,7 @@
 
 use crate::trouble::Trouble;
 use vitrum::scene::Scene;
-use vitrum::{Assets, Frame, framed};
+use vitrum::{Assets, Frame};
 use vitrum_annotations::{Overlay, screen_picture};
 
 /// A picture for the window: what an 8-bit PNG of `vitrum render` holds.
@@ -20,11 +20,7 @@ pub struct Shown {
 /// Where the annotations cannot be drawn.
 pub fn shown(frame: Frame, scene: &Scene, assets: &Assets) -> Result<Shown, Trouble> {
     let size = [frame.width, frame.height];
-    let overlay = match scene.annotation.as_slice() {
-        [] => None,
-        // Annotations lie where the picture's camera sees their places.
-        _ => Overlay::new(&framed(scene, assets)?, &assets.subject)?,
-    };
+    let overlay = Overlay::framed::<Trouble>(scene, assets)?;
     let picture = screen_picture(frame, overlay.as_ref(), false)?;
     Ok(Shown { size, pixels: picture.to_srgb8() })
 }
