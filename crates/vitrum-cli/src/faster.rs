@@ -15,18 +15,19 @@ pub fn advice(scene: &Scene, backend: &str) -> String {
     if scene.light.iter().filter(|light| light.shadows).count() > 1 {
         ways.push("lights without shadows (light.0.shadows=false)".to_owned());
     }
-    if scene.shadow.samples > 1 && !scene.mesh.is_empty() {
+    let shows_mesh = !scene.mesh.is_empty() && !scene.has_bodies();
+    if scene.shadow.samples > 1 && shows_mesh {
         ways.push(format!("fewer shadow.samples than {}", scene.shadow.samples));
     }
     if scene.method == MethodName::Beams {
         ways.push(format!("fewer beams.rays than {}", scene.beams.rays));
     }
-    if !scene.mesh.is_empty() && scene.voxels.surfaces == Surfaces::Exact {
+    if shows_mesh && scene.voxels.surfaces == Surfaces::Exact {
         ways.push("voxels.surfaces=multi".to_owned());
-    } else if !scene.mesh.is_empty() {
+    } else if shows_mesh {
         ways.push(format!("a smaller voxelization.resolution than {}", scene.voxelization.resolution));
     }
-    if scene.mesh.is_empty() {
+    if !shows_mesh {
         ways.push("a coarser volume (`vitrum convert --size`)".to_owned());
     }
     ways.push(format!("a smaller picture, such as --size {}x{}", film.width.div_ceil(2), film.height.div_ceil(2)));

@@ -23,11 +23,20 @@ pub struct Assets {
     pub density: Option<Arc<Volume>>,
     /// The segmentation by which parts of the volume are hidden, if the scene has one (`volume.mask`).
     pub mask: Option<Arc<Volume>>,
+    /// The mesh of the bodies within the volume, if the scene has a volume and meshes ([`Scene::has_bodies`]).
+    pub bodies: Option<Arc<Mesh>>,
 }
 
 impl<S: Into<Subject>> From<S> for Assets {
     fn from(subject: S) -> Self {
-        Self { subject: subject.into(), environment: None, textures: BTreeMap::new(), density: None, mask: None }
+        Self {
+            subject: subject.into(),
+            environment: None,
+            textures: BTreeMap::new(),
+            density: None,
+            mask: None,
+            bodies: None,
+        }
     }
 }
 
@@ -46,14 +55,25 @@ impl Assets {
     /// As [`Self::load`].
     pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
         let others = Self::beside(scene, base, max_bytes)?;
-        if !scene.mesh.is_empty() {
+        if !scene.mesh.is_empty() && !scene.has_bodies() {
             return Ok(others(load_meshes(&scene.mesh, base, max_bytes)?.into()));
         }
+        let bodies = load_bodies(scene, base, max_bytes)?;
         let shown = Arc::new(load_volume(&scene.volume, base, max_bytes)?);
         let ior = load_ior(scene, base, max_bytes)?;
         let mask = scene.volume.mask.as_ref().map(|mask| load_mask(mask, &scene.volume, base, max_bytes));
         let mask = mask.transpose()?.map(Arc::new);
-        Ok(Self { mask, ..others(volumes(shown, ior)) })
+        Ok(Self { mask, bodies, ..others(volumes(shown, ior)) })
+    }
+
+    /// The data with `mesh` in the place of its mesh: of the bodies within the volume, if there are any, else of the subject.
+    #[must_use]
+    pub fn with_mesh(self, mesh: Arc<Mesh>) -> Self {
+        if self.bodies.is_some() {
+            Self { bodies: Some(mesh), ..self }
+        } else {
+            Self { subject: Subject::Mesh(mesh), ..self }
+        }
     }
 
     /// A volume or a mesh from memory, which takes the place of the one that `scene` names first, and the other files that the scene names. The keys of
@@ -78,10 +98,11 @@ impl Assets {
             }
             (Subject::Mesh(_), []) => Err(Unrenderable::NeedsVolume.into()),
             (Subject::Mesh(_), [_, ..]) => Err(syntax("one mesh is in memory, and the scene shows several".to_owned())),
-            (Subject::Volume(_) | Subject::Volumes { .. }, [_, ..]) => {
+            (Subject::Volume(_) | Subject::Volumes { .. }, [_, ..]) if !scene.has_bodies() => {
                 Err(Unrenderable::NeedsMesh { method: scene.method.as_str() }.into())
             }
-            (Subject::Volume(shown) | Subject::Volumes { shown, .. }, []) => {
+            (Subject::Volume(shown) | Subject::Volumes { shown, .. }, _) => {
+                let bodies = load_bodies(scene, base, max_bytes)?;
                 let options = options(&scene.volume, max_bytes)?;
                 let stays = options.spacing.is_none() && options.up.is_none();
                 let place = || Ok::<_, Error>(Arc::new(options.place(Volume::clone(shown))?));
@@ -92,7 +113,7 @@ impl Assets {
                 };
                 let mask = scene.volume.mask.as_ref().map(|mask| load_mask(mask, &scene.volume, base, max_bytes));
                 let mask = mask.transpose()?.map(Arc::new);
-                Ok(Self { mask, ..others(volumes(shown, ior)) })
+                Ok(Self { mask, bodies, ..others(volumes(shown, ior)) })
             }
         }
     }
@@ -116,7 +137,7 @@ impl Assets {
             Ok::<_, Error>(Arc::new(density))
         });
         let density = density.transpose()?;
-        Ok(move |subject| Self { subject, environment, textures, density, mask: None })
+        Ok(move |subject| Self { subject, environment, textures, density, mask: None, bodies: None })
     }
 }
 
@@ -126,6 +147,11 @@ fn volumes(shown: Arc<Volume>, ior: Option<Arc<Volume>>) -> Subject {
         None => Subject::Volume(shown),
         Some(ior) => Subject::Volumes { shown, ior },
     }
+}
+
+/// Reads the meshes of the bodies within a scene's volume, where it has any.
+fn load_bodies(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Option<Arc<Mesh>>, Error> {
+    scene.has_bodies().then(|| load_meshes(&scene.mesh, base, max_bytes).map(Arc::new)).transpose()
 }
 
 /// Reads the volume whose scalar gives the index of refraction, where a scene names one.

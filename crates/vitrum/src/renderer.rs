@@ -10,7 +10,7 @@ use crate::method::{self, Cache, Job};
 use crate::preset;
 use crate::request::{Layers, OutputRequest, Progress};
 use crate::scene::{Background, Interpolation, Scene};
-use crate::subject::{Subject, Volumes};
+use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use std::sync::Arc;
 use vitrum_io::Mesh;
@@ -52,14 +52,14 @@ impl Renderer {
         self.cache = Cache::default();
     }
 
-    /// Renders the mesh in another shape from now on, such as that of a later moment ([`crate::MovingMeshes`]). What does not depend on a mesh's
+    /// Renders the mesh, or the bodies within the volume, in another shape from now on, such as that of a later moment ([`crate::MovingMeshes`]). What does not depend on a mesh's
     /// shape stays on the backend; of a mesh with the same triangles, materials and colours, so does the tree that exact surfaces and beams
     /// are looked for in, which is refitted.
     pub fn deform(&mut self, mesh: Arc<Mesh>) {
-        if self.assets.subject.mesh().is_none() {
+        if self.assets.subject.mesh().is_none() && self.assets.bodies.is_none() {
             self.cache = Cache::default();
         }
-        self.assets.subject = Subject::Mesh(mesh);
+        self.assets = self.assets.clone().with_mesh(mesh);
     }
 
     /// The backend.

@@ -26,6 +26,9 @@ pub struct Volumes<'a> {
     pub shown: &'a Volume,
     /// The volume whose scalar gives the index of refraction, if that is another one.
     pub ior: Option<&'a Volume>,
+    /// The opaque bodies within the volume, if there are any, on a grid of their own: values from 0 to 255 are the share of a voxel that they fill, and each voxel's
+    /// colour is their reflectance in sRGB, with that share in the highest byte.
+    pub bodies: Option<&'a Volume>,
 }
 
 impl<'a> Volumes<'a> {
@@ -35,9 +38,15 @@ impl<'a> Volumes<'a> {
         self.ior.unwrap_or(self.shown)
     }
 
+    /// The volume beside the shown one, if there are two: the one that gives the index of refraction, or the bodies.
+    #[must_use]
+    pub fn second(self) -> Option<&'a Volume> {
+        self.ior.or(self.bodies)
+    }
+
     /// The volumes: the shown one, then the other one if there are two.
     pub fn iter(self) -> impl Iterator<Item = &'a Volume> + Clone {
-        std::iter::once(self.shown).chain(self.ior)
+        std::iter::once(self.shown).chain(self.second())
     }
 }
 
@@ -56,8 +65,8 @@ impl Subject {
     #[must_use]
     pub fn volumes(&self) -> Option<Volumes<'_>> {
         match self {
-            Self::Volume(shown) => Some(Volumes { shown, ior: None }),
-            Self::Volumes { shown, ior } => Some(Volumes { shown, ior: Some(ior) }),
+            Self::Volume(shown) => Some(Volumes { shown, ior: None, bodies: None }),
+            Self::Volumes { shown, ior } => Some(Volumes { shown, ior: Some(ior), bodies: None }),
             Self::Mesh(_) => None,
         }
     }

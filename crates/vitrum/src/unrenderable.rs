@@ -247,8 +247,22 @@ pub enum Unrenderable {
         /// The volume with colours.
         name: String,
     },
+    /// Bodies within a volume, and something that takes the place of their voxels.
+    #[error("{name} is within a volume, and there are {beside}")]
+    BodiesBeside {
+        /// The mesh of the bodies.
+        name: String,
+        /// The other thing.
+        beside: &'static str,
+    },
+    /// Opaque and clear bodies within a volume.
+    #[error("{name} has opaque and clear bodies, and bodies within a volume are all opaque or all clear")]
+    MixedBodies {
+        /// The mesh of the bodies.
+        name: String,
+    },
     /// A volume with colours, or with two-dimensional transfer functions, is larger than what the device takes in one piece.
-    #[error("{name}: {bytes} bytes of values and colours are more than the device takes in one piece")]
+    #[error("{name}: {bytes} bytes of values, colours and bodies are more than the device takes in one piece")]
     ColorsTooLarge {
         /// The volume.
         name: String,
@@ -418,6 +432,10 @@ impl Unrenderable {
             Self::ColorsBeside { .. } => {
                 "leave `ior_volume` out, or show a volume without colours, and no `transfer.gradient`".to_owned()
             }
+            Self::BodiesBeside { .. } => {
+                "leave `mesh` out, or show a volume without these; opaque bodies may be in a scan that bends light, and clear ones in any that does not (`--preset bone`)".to_owned()
+            }
+            Self::MixedBodies { .. } => "give one entry of `material` for all, such as `material.0.opaque=true`".to_owned(),
             Self::ColorsTooLarge { .. } => {
                 "leave `transfer.gradient` out, take one number of each colour (`--array norm`), or make the volume smaller by `vitrum convert`"
                     .to_owned()

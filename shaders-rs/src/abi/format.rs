@@ -16,6 +16,8 @@ pub enum Format {
     F32WithIor,
     /// See [`U16WithColor`].
     U16WithColor,
+    /// See [`U16WithBodies`].
+    U16WithBodies,
     /// See [`U8Paged`].
     U8Paged,
     /// See [`U16Paged`].
@@ -28,19 +30,20 @@ pub enum Format {
 
 impl Format {
     /// All formats, in order of their numbers.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::U8,
         Self::U16,
         Self::F32,
         Self::F32WithIor,
         Self::U16WithColor,
+        Self::U16WithBodies,
         Self::U8Paged,
         Self::U16Paged,
         Self::F32Paged,
         Self::F32WithIorPaged,
     ];
 
-    /// The format of the same voxels in pages; `None` where colours belong to them, which come in one piece.
+    /// The format of the same voxels in pages; `None` where colours or bodies belong to them, which come in one piece.
     #[must_use]
     pub const fn paged(self) -> Option<Self> {
         match self {
@@ -48,7 +51,7 @@ impl Format {
             Self::U16 | Self::U16Paged => Some(Self::U16Paged),
             Self::F32 | Self::F32Paged => Some(Self::F32Paged),
             Self::F32WithIor | Self::F32WithIorPaged => Some(Self::F32WithIorPaged),
-            Self::U16WithColor => None,
+            Self::U16WithColor | Self::U16WithBodies => None,
         }
     }
 
@@ -57,7 +60,7 @@ impl Format {
     pub const fn bytes(self) -> u64 {
         match self {
             Self::U8 | Self::U8Paged => 1,
-            Self::U16 | Self::U16WithColor | Self::U16Paged => 2,
+            Self::U16 | Self::U16WithColor | Self::U16WithBodies | Self::U16Paged => 2,
             Self::F32 | Self::F32WithIor | Self::F32Paged | Self::F32WithIorPaged => 4,
         }
     }
@@ -79,10 +82,12 @@ pub trait VoxelFormat {
     const SECOND: bool;
     /// Whether a second volume on the same grid gives the colour of each voxel.
     const COLORED: bool;
+    /// Whether a second volume on a grid of its own has opaque bodies.
+    const BODIES: bool;
 }
 
 macro_rules! formats {
-    ($($(#[$doc:meta])* $name:ident: $bits:literal, $paged:literal, $second:literal, $colored:literal;)*) => {
+    ($($(#[$doc:meta])* $name:ident: $bits:literal, $paged:literal, $second:literal, $colored:literal, $bodies:literal;)*) => {
         $(
             $(#[$doc])*
             pub struct $name;
@@ -92,6 +97,7 @@ macro_rules! formats {
                 const PAGED: bool = $paged;
                 const SECOND: bool = $second;
                 const COLORED: bool = $colored;
+                const BODIES: bool = $bodies;
             }
         )*
     };
@@ -99,24 +105,27 @@ macro_rules! formats {
 
 formats! {
     /// Four unsigned bytes a word.
-    U8: 8, false, false, false;
+    U8: 8, false, false, false, false;
     /// Two unsigned 16-bit integers a word.
-    U16: 16, false, false, false;
+    U16: 16, false, false, false, false;
     /// One float a word.
-    F32: 32, false, false, false;
+    F32: 32, false, false, false, false;
     /// As [`F32`], with a second volume, also [`F32`], that gives the index of refraction.
-    F32WithIor: 32, false, true, false;
+    F32WithIor: 32, false, true, false, false;
     /// As [`U16`], with a second volume on the same grid, four bytes a voxel: the voxel's colour in sRGB, red in the lowest byte, and the factor of its extinction over
     /// 255 in the highest. See [`crate::field::colors`].
-    U16WithColor: 16, false, false, true;
+    U16WithColor: 16, false, false, true, false;
+    /// As [`U16`], with a second volume on a grid of its own, four bytes a voxel: the reflectance of opaque bodies in sRGB, red in the lowest byte, and the share
+    /// of the voxel that they fill over 255 in the highest. See [`crate::field::bodies`].
+    U16WithBodies: 16, false, false, false, true;
     /// As [`U8`], in pages.
-    U8Paged: 8, true, false, false;
+    U8Paged: 8, true, false, false, false;
     /// As [`U16`], in pages.
-    U16Paged: 16, true, false, false;
+    U16Paged: 16, true, false, false, false;
     /// As [`F32`], in pages.
-    F32Paged: 32, true, false, false;
+    F32Paged: 32, true, false, false, false;
     /// As [`F32WithIor`], both volumes in pages.
-    F32WithIorPaged: 32, true, true, false;
+    F32WithIorPaged: 32, true, true, false, false;
 }
 
 /// Cubes of voxels that come to the device and leave it as a whole.

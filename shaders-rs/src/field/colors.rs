@@ -34,20 +34,21 @@ fn linear(coded: f32) -> f32 {
 
 /// The number in the byte of `word` that begins at bit `shift`, over 255.
 #[inline(always)]
-fn share(word: u32, shift: u32) -> f32 {
+pub(super) fn share_of_word(word: u32, shift: u32) -> f32 {
     ((word >> shift) & 0xff) as i32 as f32 * (1.0 / 255.0)
 }
 
 /// A voxel's factors.
 #[inline(always)]
-fn factors(word: u32) -> Tint {
-    let color = Vec3::new(linear(share(word, 0)), linear(share(word, 8)), linear(share(word, 16)));
-    Tint { color, extinction: share(word, 24) }
+pub(super) fn factors(word: u32) -> Tint {
+    let color =
+        Vec3::new(linear(share_of_word(word, 0)), linear(share_of_word(word, 8)), linear(share_of_word(word, 16)));
+    Tint { color, extinction: share_of_word(word, 24) }
 }
 
 /// The factors between `a` and `b`, `share` of the way. Vectors of four lanes would keep a processor from taking many rays at once.
 #[inline(always)]
-fn mix(a: Tint, b: Tint, share: f32) -> Tint {
+pub(super) fn mix(a: Tint, b: Tint, share: f32) -> Tint {
     Tint { color: a.color + (b.color - a.color) * share, extinction: lerp(a.extinction, b.extinction, share) }
 }
 
@@ -66,7 +67,7 @@ fn tint<V: VoxelFormat>(colors: &[u32], grid: &Grid, at: Vec3) -> Tint {
 
 /// The point between voxel coordinates `from` and `to`, `share` of the way.
 #[inline(always)]
-fn between(from: Vec3, to: Vec3, share: f32) -> Vec3 {
+pub fn between(from: Vec3, to: Vec3, share: f32) -> Vec3 {
     Vec3::new(lerp(from.x, to.x, share), lerp(from.y, to.y, share), lerp(from.z, to.z, share))
 }
 

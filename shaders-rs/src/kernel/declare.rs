@@ -41,6 +41,8 @@ macro_rules! family {
             #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u16_with_color>] [U16WithColor] $folder $uniforms $module $($rest)* }
             #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
+            number! { $report [<$folder _ $module _u16_with_bodies>] [U16WithBodies] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u8_paged>] [U8Paged] $folder $uniforms $module $($rest)* }
             #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u16_paged>] [U16Paged] $folder $uniforms $module $($rest)* }
@@ -71,6 +73,7 @@ macro_rules! declared {
                 &[<$folder _ $module _f32>],
                 &[<$folder _ $module _f32_with_ior>],
                 &[<$folder _ $module _u16_with_color>],
+                &[<$folder _ $module _u16_with_bodies>],
                 &[<$folder _ $module _u8_paged>],
                 &[<$folder _ $module _u16_paged>],
                 &[<$folder _ $module _f32_paged>],

@@ -1,4 +1,4 @@
-//! Diffuse receivers: the ground and the wall.
+//! Diffuse receivers: the ground and the wall, and what a segment meets of them.
 
 use crate::abi::receivers::{Receiver, Receivers, ahead};
 use crate::abi::vector::Affine;
@@ -15,6 +15,8 @@ pub struct Hit {
     pub hit: bool,
     /// Whether the receiver is the wall.
     pub is_wall: bool,
+    /// Whether the receiver is a body within the volume.
+    pub is_body: bool,
     /// Share of the segment before it, 0 to 1.
     pub at: f32,
     /// The receiver's unit normal.
@@ -31,7 +33,25 @@ pub fn first_between(receivers: &Receivers, from: Vec3, to: Vec3) -> Hit {
     let (wall_hit, wall_at) = crossing(wall.plane, from, to);
     let wall_first = wall_hit & (!ground_hit | (wall_at < ground_at));
     let (normal, color) = surface(receivers, wall_first);
-    Hit { hit: ground_hit | wall_hit, is_wall: wall_first, at: select(wall_first, wall_at, ground_at), normal, color }
+    let at = select(wall_first, wall_at, ground_at);
+    Hit { hit: ground_hit | wall_hit, is_wall: wall_first, is_body: false, at, normal, color }
+}
+
+impl Hit {
+    /// This hit or `other`, whichever the segment meets first.
+    #[inline(always)]
+    #[must_use]
+    pub fn or_nearer(self, other: Self) -> Self {
+        let nearer = other.hit & (!self.hit | (other.at < self.at));
+        Self {
+            hit: self.hit | other.hit,
+            is_wall: (nearer & other.is_wall) | (!nearer & self.is_wall),
+            is_body: (nearer & other.is_body) | (!nearer & self.is_body),
+            at: select(nearer, other.at, self.at),
+            normal: select_vector(nearer, other.normal, self.normal),
+            color: select_vector(nearer, other.color, self.color),
+        }
+    }
 }
 
 /// The unit normal and the reflectance of the wall, or of the ground.

@@ -12,6 +12,7 @@ use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::isosurfaces::transmittance;
 use crate::optics::medium::{medium, share_inside};
 use crate::optics::receiver::{first_between, free_steps};
+use crate::sweep::bodies::{is_met, may_be_met};
 use crate::sweep::border::{Crossing, MARGIN, Volumes, border_ior, cross, is_far_inside, is_inside, meet, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
@@ -28,7 +29,7 @@ pub mod level {
     pub const EMPTY: u32 = 1;
     /// It may be attenuated and bent, far inside the border of the space in which the volume bends.
     pub const FULL: u32 = 3;
-    /// Its segment, or the one behind it, may be outside in part, or it meets a receiver, or perhaps an isosurface.
+    /// Its segment, or the one behind it, may be outside in part, or it meets a receiver, or perhaps a body or an isosurface.
     pub const BORDER: u32 = 7;
 }
 
@@ -59,7 +60,8 @@ pub fn level<V: VoxelFormat>(
     let node = Node::load(&before);
     let (from, to) = ends(u, &node);
     let met = first_between(&u.receivers, from, to).hit;
-    let within = is_far_inside::<V>(u, chosen, from, to, MARGIN) & !met & (u.flags & flag::ISOSURFACES == 0);
+    let passes = !met & !may_be_met::<V>(u, occupancy, from, to) & (u.flags & flag::ISOSURFACES == 0);
+    let within = is_far_inside::<V>(u, chosen, from, to, MARGIN) & passes;
     let crossing = if within { level::FULL } else { level::BORDER };
     let in_empty = if met { level::BORDER } else { level::EMPTY };
     let needed = if step_is_empty::<V>(u, occupancy, from, to) { in_empty } else { crossing };
@@ -157,6 +159,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         let front = front_of(&u.grid, scalar_from, back);
         let inside = crossing.path > 0.0;
         clear *= select(inside, transmittance(tables, front, back, kept.particles), 1.0);
+    }
+    if LEVEL >= level::BORDER && V::BODIES {
+        clear = select(is_met::<V>(u, ior_voxels, from, to), 0.0, clear);
     }
     let left = node.flux * (layer.medium * clear);
     let mean = (left.x + left.y + left.z) * (1.0 / 3.0);

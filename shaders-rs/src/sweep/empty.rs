@@ -13,7 +13,7 @@ use spirv_std::glam::Vec3;
 pub fn steps_are_empty<V: VoxelFormat>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> f32 {
     let steps = |grid: &Grid| empty_steps(occupancy, grid, voxel_coordinates(grid, from), voxel_coordinates(grid, to));
     let shown = steps(&u.grid);
-    let both = if V::SECOND { min(shown, steps(&u.ior_grid)) } else { shown };
+    let both = if V::SECOND | V::BODIES { min(shown, steps(&u.ior_grid)) } else { shown };
     let known = select(u.flags & flag::SKIP_EMPTY != 0, both, 0.0);
     select(u.flags & flag::BEHIND_VOLUME != 0, f32::MAX, known)
 }
@@ -23,7 +23,7 @@ pub fn steps_are_empty<V: VoxelFormat>(u: &SweepUniforms, occupancy: &[u32], fro
 #[inline(always)]
 pub fn step_is_empty<V: VoxelFormat>(u: &SweepUniforms, occupancy: &[u32], from: Vec3, to: Vec3) -> bool {
     let shown = is_empty(occupancy, &u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
-    let bending = !V::SECOND
+    let second = !(V::SECOND | V::BODIES)
         || is_empty(occupancy, &u.ior_grid, voxel_coordinates(&u.ior_grid, from), voxel_coordinates(&u.ior_grid, to));
-    (u.flags & flag::BEHIND_VOLUME != 0) | (shown & bending & (u.flags & flag::SKIP_EMPTY != 0))
+    (u.flags & flag::BEHIND_VOLUME != 0) | (shown & second & (u.flags & flag::SKIP_EMPTY != 0))
 }

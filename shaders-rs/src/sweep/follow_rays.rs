@@ -17,16 +17,16 @@ use crate::optics::composite::{Gathered, layer, over};
 use crate::optics::diffuse::cosine;
 use crate::optics::isosurfaces::{Sheet, sheet};
 use crate::optics::medium::{Medium, medium, span_inside};
-use crate::optics::receiver::first_between;
+use crate::optics::receiver::{Hit, first_between};
 use crate::optics::span::Span;
 use crate::optics::step::flight;
+use crate::sweep::bodies::first_body;
 use crate::sweep::border::{bend, border_ior, meet, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::isosurfaces::are_looked_for;
 use crate::sweep::light::look_up::{radiance, shade, unoccluded};
 use crate::sweep::light::matter::{Seen, light_in_matter};
-use crate::sweep::light::receiver_map::light_on;
-use crate::sweep::propagate_rays::{OPAQUE, end_on_receiver};
+use crate::sweep::propagate_rays::{OPAQUE, end_on_receiver, light_on_surface};
 use spirv_std::glam::Vec3;
 
 /// How much of the kernel an invocation needs.
@@ -128,7 +128,13 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         } else {
             let (share, face) = if inside { (meeting.leaves, meeting.left) } else { (meeting.enters, meeting.entered) };
             let to = from + (whole - from) * select(crosses, share, 1.0);
-            let hit = first_between(&u.receivers, from, to);
+            let mut hit = first_between(&u.receivers, from, to);
+            if V::BODIES {
+                // Steps outside of the volume are too long to find a body in.
+                let body = first_body::<V>(u, ior_voxels, from, to);
+                hit = hit.or_nearer(Hit { hit: body.hit & inside, ..body });
+            }
+            let hit = hit;
             let next = around::<V>(u, chosen, voxels, ior_voxels, tables, to);
             let shares = keep(u, from, to);
             // On the border the whole kick of the way so far is due, inside the second half.
@@ -179,7 +185,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
                     looks_for_isosurfaces,
                     extinction: tint.extinction,
                 };
-                light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
+                light_in_matter::<V>(u, chosen, (voxels, ior_voxels, tables, light_buffer), &seen)
             };
             let radiance = radiance(u, &light);
             let through = 1.0 - ray.reflectance;
@@ -192,7 +198,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let seen_at = lerp(0.5, sheet_in.at, share);
             let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, seen_at);
             let met = from + (to - from) * part;
-            let received = light_on(u, light_buffer, met, hit.is_wall);
+            let received = light_on_surface::<V>(u, chosen, (voxels, tables, light_buffer), &hit, met);
             let (after, depth) =
                 end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received) * through, met.z);
             let clearest = max(max(after.medium.x, after.medium.y), after.medium.z);

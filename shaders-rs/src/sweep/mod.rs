@@ -15,6 +15,7 @@
 
 pub mod advance_nodes;
 pub mod blur_nodes;
+pub mod bodies;
 pub mod border;
 pub mod clear_landed;
 pub mod clear_sums;

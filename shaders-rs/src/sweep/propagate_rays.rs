@@ -16,14 +16,16 @@ use crate::optics::receiver::{Hit, first_between, free_steps};
 use crate::optics::span::Span;
 use crate::optics::specular::lobe;
 use crate::optics::step::flight;
+use crate::sweep::bodies::{first_body, may_be_met};
 use crate::sweep::border::{
     Crossing, MARGIN, Volumes, bending_grid, cross, is_far_inside, is_inside, meet, share_ahead,
 };
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
 use crate::sweep::isosurfaces::are_looked_for;
-use crate::sweep::light::look_up::{direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
-use crate::sweep::light::matter::{Seen, light_in_matter};
+use crate::sweep::light::body::light_on_body;
+use crate::sweep::light::look_up::{Light, direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
+use crate::sweep::light::matter::{NEARER, Seen, light_in_matter};
 use crate::sweep::light::receiver_map::light_on;
 use crate::sweep::surface::{Crossed, Reflected, added, layer_ior, surface};
 use crate::sweep::turn::turn;
@@ -39,7 +41,7 @@ pub mod level {
     pub const FULL: u32 = 3;
     /// It comes from empty space, where its scalar was not sampled.
     pub const ENTERING: u32 = 7;
-    /// It meets a receiver, or perhaps an isosurface.
+    /// It meets a receiver, or perhaps a body or an isosurface.
     pub const MEETING: u32 = 15;
     /// Its segment, or the one behind it, may be outside in part, or it may begin in a volume.
     pub const BORDER: u32 = 31;
@@ -92,7 +94,8 @@ pub fn level<V: VoxelFormat>(
     let within = is_far_inside::<V>(u, chosen, flight.from, flight.to, MARGIN);
     let begins = mode::bends(chosen) & (ray.sampled == ray::NOWHERE);
     let sampled = if is_unknown(u, &ray) { level::ENTERING } else { level::FULL };
-    let met = if hit.hit | (u.flags & flag::ISOSURFACES != 0) { level::MEETING } else { sampled };
+    let body = may_be_met::<V>(u, occupancy, flight.from, flight.to);
+    let met = if hit.hit | body | (u.flags & flag::ISOSURFACES != 0) { level::MEETING } else { sampled };
     let crossing = if within & !begins { met } else { level::BORDER };
     let in_empty = if hit.hit { level::MEETING } else { level::EMPTY };
     let needed = if empty { in_empty } else { crossing };
@@ -140,8 +143,12 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
 ) -> [f32; ray::SIZE] {
     let ray = Ray::load(&record);
     let Flight { from, to, v } = fly(u, &ray);
-    let none = Hit { hit: false, is_wall: false, at: 1.0, normal: v, color: v };
-    let hit = if LEVEL >= level::MEETING { first_between(&u.receivers, from, to) } else { none };
+    let none = Hit { hit: false, is_wall: false, is_body: false, at: 1.0, normal: v, color: v };
+    let mut hit = if LEVEL >= level::MEETING { first_between(&u.receivers, from, to) } else { none };
+    if LEVEL >= level::MEETING && V::BODIES {
+        hit = hit.or_nearer(first_body::<V>(u, ior_voxels, from, to));
+    }
+    let hit = hit;
     let voxel_from = voxel_coordinates(&u.grid, from);
     let mut front = ray.scalar;
     let mut ior_front = ray.ior;
@@ -214,7 +221,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let light = if mode::is_unoccluded(chosen) {
         unoccluded(u, met)
     } else if mode::is_on_texels(chosen) {
-        let (mut texel_x, mut texel_y) = texel_coordinates(u, met);
+        // The texels at a body's surface are in part inside it.
+        let aside = hit.normal * select(hit.is_body, NEARER * u.light_grid.texel, 0.0);
+        let (mut texel_x, mut texel_y) = texel_coordinates(u, met + aside);
         if LEVEL >= level::MEETING {
             // From the plane behind the light goes on to the receiver.
             let (x, y) = shift(u, direction(u, light_buffer, texel_x, texel_y), met.z - from.z);
@@ -237,7 +246,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             looks_for_isosurfaces,
             extinction: tint.extinction,
         };
-        light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
+        light_in_matter::<V>(u, chosen, (voxels, ior_voxels, tables, light_buffer), &seen)
     };
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
@@ -271,7 +280,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         let received = if mode::is_on_texels(chosen) | mode::is_unoccluded(chosen) {
             light
         } else {
-            light_on(u, light_buffer, met, hit.is_wall)
+            light_on_surface::<V>(u, chosen, (voxels, tables, light_buffer), &hit, met)
         };
         let seen = shade(u, hit.normal, hit.color, &received) * (1.0 - reflected.reflectance);
         end_on_receiver(&hit, after, depth, seen, met.z)
@@ -324,6 +333,26 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
 #[inline(always)]
 fn stay(hit: &Hit, there: f32, next: f32) -> f32 {
     select(hit.hit, there, next)
+}
+
+/// The light at `met` on the receiver that a ray hits, where a wavefront has carried it.
+#[inline(always)]
+pub(super) fn light_on_surface<V: VoxelFormat>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (voxels, tables, light): (&[u32], &[u32], &[u32]),
+    hit: &Hit,
+    met: Vec3,
+) -> Light {
+    let received = light_on(u, light, met, hit.is_wall);
+    if !V::BODIES {
+        return received;
+    }
+    let on_body = light_on_body::<V>(u, chosen, (voxels, tables, light), met, hit.normal);
+    Light {
+        flux: select_vector(hit.is_body, on_body.flux, received.flux),
+        direction: select_vector(hit.is_body, on_body.direction, received.direction),
+    }
 }
 
 /// Composites a receiver, which is opaque, behind a ray that ends on it.

@@ -13,6 +13,7 @@ use crate::math::{absolute, length, max, min, select, select_vector, xyz};
 use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::isosurfaces::transmittance;
 use crate::optics::medium::{medium, share_inside};
+use crate::sweep::bodies::{is_met, may_be_met};
 use crate::sweep::border::{
     MARGIN, bending_grid, border_ior, is_far_inside, is_inside_by, meet, settle, share_ahead, step_on,
 };
@@ -30,7 +31,7 @@ pub mod level {
     pub const EMPTY: u32 = 1;
     /// The light may be attenuated and bent, well inside the grid.
     pub const FULL: u32 = 3;
-    /// Its segment may be outside in part, or cross an isosurface.
+    /// Its segment may be outside in part, or meet a body, or cross an isosurface.
     pub const BORDER: u32 = 7;
 }
 
@@ -77,7 +78,8 @@ pub fn level<V: VoxelFormat>(
     let next = step_on(u, to, Light::load(&arrived).direction);
     let within =
         is_far_inside::<V>(u, chosen, from, to, margin) & (!mode::bends(chosen) | is_inside_by::<V>(u, next, margin));
-    let crossing = if within & (u.flags & flag::ISOSURFACES == 0) { level::FULL } else { level::BORDER };
+    let passes = !may_be_met::<V>(u, occupancy, from, to) & (u.flags & flag::ISOSURFACES == 0);
+    let crossing = if within & passes { level::FULL } else { level::BORDER };
     if step_is_empty::<V>(u, occupancy, from, to) { level::EMPTY } else { crossing }
 }
 
@@ -151,6 +153,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let mut clear = layer.clear;
     if LEVEL >= level::BORDER && are_looked_for(u) {
         clear *= select(inside > 0.0, transmittance(tables, front, here.scalar, kept.particles), 1.0);
+    }
+    if LEVEL >= level::BORDER && V::BODIES {
+        clear = select(is_met::<V>(u, ior_voxels, from, to), 0.0, clear);
     }
 
     let mut out = v;

@@ -117,7 +117,7 @@ impl Composition {
         if bare {
             scene.camera.framing = Framing::Visible;
         }
-        if !scene.mesh.is_empty() {
+        if !scene.mesh.is_empty() && !scene.has_bodies() {
             if self.transfer.is_some() || !self.adjustments.is_empty() {
                 return Err(CompositionError::NoTransferFunction { input: self.input.clone() });
             }
@@ -143,7 +143,6 @@ impl Composition {
         };
         let choice = assets.subject.volume().filter(|_| is_chosen).map(choose);
         let preset = self.preset.as_deref().or(choice.as_ref().map(|choice| choice.name));
-        // A setting that adds a mesh leaves no volume for the preset to be fitted to.
         if let Some(volume) = assets.subject.volume() {
             let adjustments = &self.adjustments;
             match (&file, preset) {
@@ -234,6 +233,7 @@ impl Composition {
     fn change_source(&self, scene: &mut Scene) {
         let mut keys = self.source.clone();
         if !scene.mesh.is_empty()
+            && !scene.has_bodies()
             && let Some(up) = keys.up.take()
         {
             scene.mesh.iter_mut().for_each(|mesh| mesh.up = Some(up.clone()));

@@ -9,7 +9,7 @@ use crate::scene::{Framing, Projection, Scene};
 use crate::shown;
 use fit::Fit;
 use glam::DVec3;
-pub(crate) use points::{PointsKey, points, points_key};
+pub(crate) use points::{PointsKey, of_bodies, points, points_key};
 
 /// The scene with the camera that its picture is taken with, and its ground under what is visible: a scene whose framing is not
 /// [`Framing::Visible`], or that says where the eye is, is not changed.
@@ -63,7 +63,9 @@ fn with_points(
     }
     let shown = shown::shown(scene, assets)?;
     let assets = shown.as_ref().unwrap_or(assets);
-    Ok(fit(scene, assets, &points(scene, &assets.subject)).unwrap_or_else(|| scene.clone()))
+    let mut points = points(scene, &assets.subject);
+    points.extend(of_bodies(assets));
+    Ok(fit(scene, assets, &points).unwrap_or_else(|| scene.clone()))
 }
 
 /// Whether the camera of a scene depends on what is visible.

@@ -1,5 +1,6 @@
 //! Points around all of what a scene shows.
 
+use crate::assets::Assets;
 use crate::method::Bounds;
 use crate::method::view::{point_between_voxels, vector};
 use crate::scene::{Clip, Isosurface, Removes, Scene, TransferFunction};
@@ -7,7 +8,7 @@ use crate::shown::runs::{Run, part_sizes, runs};
 use crate::shown::visible::{By, Visible};
 use crate::subject::Subject;
 use glam::DVec3;
-use vitrum_io::Volume;
+use vitrum_io::{Mesh, Volume};
 
 /// Visible parts smaller than this share of all that is visible are noise, which is no subject.
 const SPECK: f64 = 5e-4;
@@ -24,11 +25,21 @@ pub(crate) fn points_key(scene: &Scene) -> PointsKey {
     (transfer.clone(), isosurface.clone(), clip.clone(), surroundings.ior, sweep.refraction)
 }
 
-/// Points of the world whose convex hull holds all that a scene shows: corners of visible voxels, vertices of a mesh. None where nothing is
+/// The vertices of a mesh.
+fn vertices(mesh: &Mesh) -> Vec<DVec3> {
+    mesh.positions.iter().map(|&position| vector(position)).collect()
+}
+
+/// Points of the world whose convex hull holds all bodies within a scene's volume.
+pub(crate) fn of_bodies(assets: &Assets) -> Vec<DVec3> {
+    assets.bodies.as_deref().map_or_else(Vec::new, vertices)
+}
+
+/// Points of the world whose convex hull holds all that a scene shows of its subject: corners of visible voxels, vertices of a mesh. None where nothing is
 /// visible.
 pub(crate) fn points(scene: &Scene, subject: &Subject) -> Vec<DVec3> {
     match subject {
-        Subject::Mesh(mesh) => mesh.positions.iter().map(|&position| vector(position)).collect(),
+        Subject::Mesh(mesh) => vertices(mesh),
         Subject::Volume(volume) => of_volume(scene, volume, By::Both),
         Subject::Volumes { shown, ior } => {
             let mut points = of_volume(scene, shown, By::Absorption);

@@ -87,6 +87,10 @@ impl Cache {
         let changes = self.shown.key().unwrap_or_default();
         let key = (changes, framing::points_key(scene));
         let points = self.points.of(key, || framing::points(scene, &assets.subject));
+        if assets.bodies.is_some() {
+            // Bodies may move.
+            return framing::around(scene, assets, &[&points[..], &framing::of_bodies(assets)].concat());
+        }
         framing::around(scene, assets, points)
     }
 }

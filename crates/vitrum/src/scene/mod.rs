@@ -104,7 +104,7 @@ pub struct Scene {
     pub background: Option<String>,
     /// The volume that is shown.
     pub volume: VolumeSource,
-    /// The meshes that are shown, instead of a volume.
+    /// The meshes that are shown, instead of a volume, or within one that the scene names, too (method `sweep`).
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 64))]
     pub mesh: Vec<MeshSource>,
@@ -122,7 +122,8 @@ pub struct Scene {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 8))]
     pub isosurface: Vec<Isosurface>,
-    /// Materials of the mesh's bodies; a body without an entry keeps the mesh's own material, or is glass.
+    /// Materials of the mesh's bodies; a body without an entry keeps the mesh's own material, or is glass. Without
+    /// any entry bodies within a volume are opaque.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 64))]
     pub material: Vec<Material>,
@@ -164,6 +165,14 @@ pub struct Scene {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 32))]
     pub annotation: Vec<Annotation>,
+}
+
+impl Scene {
+    /// Whether the scene shows meshes within a volume: it names both.
+    #[must_use]
+    pub fn has_bodies(&self) -> bool {
+        !self.mesh.is_empty() && (self.volume.file.is_some() || self.volume.builtin.is_some())
+    }
 }
 
 impl Default for Scene {

@@ -61,7 +61,7 @@ pub(crate) fn radius_for(share: f32) -> u32 {
 }
 
 /// Whether some matter of a scene bends light.
-fn bends(scene: &Scene) -> bool {
+pub(crate) fn bends(scene: &Scene) -> bool {
     let around = scene.surroundings.ior;
     scene.sweep.refraction
         && scene.transfer.ior.iter().any(|point| point.ior != around || point.cauchy_coefficient() != 0.0)
@@ -76,6 +76,7 @@ impl Changes {
         noise: impl FnOnce() -> Option<Noise>,
         mut range: impl FnMut() -> [f32; 2],
     ) -> Self {
+        let has_bodies = scene.has_bodies();
         let transfer = &scene.transfer;
         // What was computed or made in memory has the values that it should have.
         let bending = volumes.bending();
@@ -98,8 +99,8 @@ impl Changes {
             let by = if volumes.ior.is_some() { [By::Absorption, By::Bending] } else { [By::Both; 2] };
             Hidden::new(mask, by.map(|by| clear_ranges(scene, by, &mut range)))
         });
-        // With colours there is one scalar.
-        let colored = !transfer.gradient.is_empty() || volumes.shown.colors.is_some();
+        // With colours, or bodies, there is one scalar, in 16 bits.
+        let colored = !transfer.gradient.is_empty() || volumes.shown.colors.is_some() || has_bodies;
         let opacity = if colored { transfer.opacity_smoothing.max(ior) } else { transfer.opacity_smoothing };
         let ior = if colored { opacity } else { ior };
         let floats = matches!(volumes.shown.voxels, Voxels::F32(_));

@@ -12,6 +12,7 @@ use crate::optics::composite::{layer, layer_of_particles};
 use crate::optics::isosurfaces::{Sheet, transmittance};
 use crate::optics::medium::span_inside;
 use crate::optics::span::Span;
+use crate::sweep::bodies::is_met;
 use crate::sweep::clip::keep;
 use crate::sweep::light::carried::light_at;
 use crate::sweep::light::look_up::Light;
@@ -114,9 +115,9 @@ fn filled(u: &SweepUniforms, from: Vec3, to: Vec3) -> (f32, f32) {
 }
 
 /// A way of light through matter.
-struct Way {
+pub(super) struct Way {
     /// Normalised scalar at its beginning.
-    scalar: f32,
+    pub(super) scalar: f32,
     /// The share of it that has particles.
     filled: f32,
     /// Optical depth of particles between its scalars, for the reference length.
@@ -124,14 +125,14 @@ struct Way {
     /// Their optical depth.
     depth: f32,
     /// The share of light that they let through.
-    clear: f32,
+    pub(super) clear: f32,
     /// The share that the medium lets through.
-    medium: Vec3,
+    pub(super) medium: Vec3,
 }
 
 /// The way of light from `start` to a point and its scalar, `length` world units behind. Voxels' factor of `extinction` is taken to be the same on it.
 #[inline(always)]
-fn behind<V: VoxelFormat>(
+pub(super) fn behind<V: VoxelFormat>(
     u: &SweepUniforms,
     chosen: u32,
     (voxels, tables): (&[u32], &[u32]),
@@ -157,12 +158,18 @@ fn behind<V: VoxelFormat>(
     Way { scalar: front, filled, particles: attenuation.particles, depth, clear: left.clear, medium: left.medium }
 }
 
+/// Whether a body is before or behind a point of the view frame, at a distance of `way` along the light.
+#[inline(always)]
+fn is_beside_body<V: VoxelFormat>(u: &SweepUniforms, bodies: &[u32], at: Vec3, way: Vec3) -> bool {
+    is_met::<V>(u, bodies, at - way, at + way)
+}
+
 /// The light that a viewing ray sees in a segment: as [`light_at`], the mean over the segment, each place weighted by what is seen of its particles.
 #[inline(always)]
 pub fn light_in_matter<V: VoxelFormat>(
     u: &SweepUniforms,
     chosen: u32,
-    (voxels, tables, light): (&[u32], &[u32], &[u32]),
+    (voxels, second, tables, light): (&[u32], &[u32], &[u32], &[u32]),
     seen: &Seen<'_>,
 ) -> Light {
     let w = &u.wavefront;
@@ -177,8 +184,12 @@ pub fn light_in_matter<V: VoxelFormat>(
     // Between labels there is nothing to attenuate by.
     let dense = select(u.grid.nearest != 0, 0.0, min(2.0 * seen.segment.particles * apart * unit, 1.0));
     let dense = select(seen.sheet.depth > 0.0, 1.0, dense);
+    let towards = from_frame(w, unrefracted_direction(w, inside));
+    // Some of the samples around a point beside a body are inside the body, or on its other side.
+    let beside_body = V::BODIES && is_beside_body::<V>(u, second, at, towards * apart);
+    let dense = select(beside_body, 1.0, dense);
     let nearer = apart * dense;
-    let start = at - from_frame(w, unrefracted_direction(w, inside)) * nearer;
+    let start = at - towards * nearer;
     let near = behind::<V>(u, chosen, (voxels, tables), start, (at, back), (nearer, seen.extinction));
     let far = start - (at - start);
     let beyond = behind::<V>(u, chosen, (voxels, tables), far, (start, near.scalar), (nearer, seen.extinction));
@@ -218,6 +229,9 @@ pub fn light_in_matter<V: VoxelFormat>(
             * transmittance(tables, near.scalar, clamp(near.scalar, low, high), Span::WHOLE);
         let others = select(min(near.filled, beyond.filled) < 1.0, 1.0, others);
         left = select(crosses, in_sheet, left) * others;
+    }
+    if V::BODIES {
+        left = select(beside_body & is_met::<V>(u, second, far, at), 0.0, left);
     }
     Light { flux: light.flux * (medium * left), direction: light.direction }
 }

@@ -3,6 +3,7 @@
 
 pub mod around;
 pub mod arriving;
+pub mod body;
 pub mod bricks;
 pub mod carried;
 pub mod cell;

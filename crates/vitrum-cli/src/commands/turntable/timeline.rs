@@ -5,7 +5,7 @@ use crate::failure::{Failure, Status};
 use std::path::Path;
 use vitrum::composition::read_text;
 use vitrum::scene::{KeyFrames, Motion, Scene};
-use vitrum::{Assets, MovingMeshes, Subject};
+use vitrum::{Assets, MovingMeshes};
 
 /// Pictures of a whole turn.
 const TURN: u32 = 72;
@@ -57,7 +57,7 @@ impl Timeline {
         for index in 0..frames {
             let scene = timeline.scene(index)?;
             if timeline.moves_meshes() {
-                assets.subject = Subject::Mesh(meshes.at(&scene.mesh)?);
+                assets = assets.with_mesh(meshes.at(&scene.mesh)?);
             }
             vitrum::check(&scene, &assets)
                 .map_err(|error| Failure::from(error).at(&format!("frame {index} of {frames}")))?;

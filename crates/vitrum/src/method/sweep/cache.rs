@@ -1,5 +1,6 @@
 //! Data that a sweep keeps from frame to frame: volumes, tables, the occupancy, the environment map.
 
+use super::bodies::BodyVolume;
 use super::kept::KeptLight;
 use super::mesh_volumes::{MeshVolumes, Part};
 use super::occupancy::Occupancy;
@@ -14,12 +15,15 @@ use crate::method::view::pictures::UploadedPictures;
 use crate::scene::Scene;
 use crate::subject::Volumes;
 use std::sync::Arc;
+use vitrum_io::Volume;
 
 /// Data of a sweep that the next frame of the same assets uses again.
 #[derive(Default)]
 pub(super) struct SweepCache {
     /// The volumes that were made of a mesh.
     pub(super) mesh: Option<MeshVolumes>,
+    /// The volume that was made of the bodies within the scan.
+    pub(super) bodies: Option<BodyVolume>,
     pub(super) frame: FrameCache,
 }
 
@@ -49,6 +53,32 @@ impl SweepCache {
         }
         *self = Self::default();
         self.mesh = Some(MeshVolumes::new(scene, assets, Part::All, tools)?);
+        Ok(())
+    }
+}
+
+impl SweepCache {
+    /// The bodies within the scan `shown`; those of the last frame where nothing changed them.
+    ///
+    /// # Errors
+    /// As [`BodyVolume::new`].
+    pub(super) fn bodies(
+        &mut self,
+        scene: &Scene,
+        shown: &Volume,
+        assets: &Assets,
+        tools: &mut Tools<'_>,
+    ) -> Result<(), Error> {
+        let fits = match (&self.bodies, &assets.bodies) {
+            (None, None) => true,
+            (Some(made), Some(mesh)) => made.fits(scene, shown, mesh)?,
+            _ => false,
+        };
+        if !fits {
+            *self = Self::default();
+            let made = assets.bodies.as_ref().map(|mesh| BodyVolume::new(scene, shown, mesh, tools));
+            self.bodies = made.transpose()?;
+        }
         Ok(())
     }
 }

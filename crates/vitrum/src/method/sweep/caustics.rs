@@ -157,7 +157,7 @@ impl CausticsCache {
             cut: false,
             blend: None,
         };
-        let second = volumes.ior.zip(uploaded.ior_ranges.as_ref());
+        let second = volumes.ior.zip(uploaded.second_ranges.as_ref());
         let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
         let mut queries = vec![query(volumes.shown, &uploaded.ranges, plan.reach[0], role)];
         queries.extend(second.map(|(volume, ranges)| query(volume, ranges, plan.reach[1], VolumeRole::Bending)));

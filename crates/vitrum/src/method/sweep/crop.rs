@@ -32,6 +32,10 @@ impl Extent {
     pub(super) fn new(scene: &Scene, volumes: Volumes<'_>, volume: &Volume) -> Self {
         let whole = Self::whole(volume);
         let Some(crop) = &scene.crop else { return whole };
+        // Bodies within the volume are not cropped.
+        if volumes.bodies.is_some_and(|bodies| std::ptr::eq(volume, bodies)) {
+            return whole;
+        }
         let cropped = Self::of_crop(crop, volumes.shown);
         if std::ptr::eq(volume, volumes.shown) {
             return cropped;

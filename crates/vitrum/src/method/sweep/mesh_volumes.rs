@@ -24,7 +24,7 @@ use vitrum_io::{Mesh, Volume, Voxels};
 /// Width of a body's edge, in voxels, over which its coverage falls from 1 to 0.
 const EDGE: f64 = 3.0;
 /// Empty voxels around the mesh: the reach of the edge and of gradients.
-const PADDING: u32 = 4;
+pub(super) const PADDING: u32 = 4;
 /// Reference length of the transfer functions, over the mesh's longest edge.
 const REFERENCE: f32 = 0.01;
 
@@ -119,7 +119,7 @@ impl MeshVolumes {
 
     /// The volumes.
     pub(super) fn volumes(&self) -> Volumes<'_> {
-        Volumes { shown: &self.shown, ior: self.ior.as_ref() }
+        Volumes { shown: &self.shown, ior: self.ior.as_ref(), bodies: None }
     }
 
     /// Whether a scene has the same volumes.
@@ -179,6 +179,11 @@ fn numbers(materials: &[Clear]) -> Vec<f32> {
     materials.iter().map(|material| (place(material) + 1) as f32 / materials.len() as f32).collect()
 }
 
+/// The index of refraction of a volume whose values are indices, over that of the surroundings.
+pub(super) fn identity() -> Vec<IorPoint> {
+    vec![IorPoint::new(0.04, 0.04), IorPoint::new(25.0, 25.0)]
+}
+
 /// The transfer functions over the scalar of [`MeshVolumes`]: the coverage by one body, or the number of a material and the index of
 /// refraction.
 fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
@@ -194,8 +199,7 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
     filter.sort_by(|a, b| a.value.total_cmp(&b.value));
     let ior = match materials {
         [one] => vec![IorPoint::new(0.0, 1.0), IorPoint::new(1.0, one.ior)],
-        // The volume's scalar is the index, over that of the surroundings.
-        _ => vec![IorPoint::new(0.04, 0.04), IorPoint::new(25.0, 25.0)],
+        _ => identity(),
     };
     TransferFunction {
         reference_length: Some(reference),
@@ -207,7 +211,7 @@ fn transfer(materials: &[Clear], reference: f32) -> TransferFunction {
 }
 
 /// Coverage of each voxel by each body, 0 to 1.
-struct Shares<'a> {
+pub(super) struct Shares<'a> {
     fields: &'a [u16],
     grid: Grid,
     /// The coverage for each number of a field, 0 to 1.
@@ -215,13 +219,24 @@ struct Shares<'a> {
 }
 
 impl<'a> Shares<'a> {
-    fn new(fields: &'a [u16], grid: Grid) -> Self {
+    /// The coverages of fields as [`Solids`] has them.
+    pub(super) fn new(fields: &'a [u16], grid: Grid) -> Self {
         let share = |stored: u32| {
             let distance = (f64::from(stored) / 65535.0 * 2.0 - 1.0) * BAND;
             let t = (distance / EDGE + 0.5).clamp(0.0, 1.0);
             (t * t * (3.0 - 2.0 * t)) as f32
         };
         Self { fields, grid, of_distance: (0..=65535).map(share).collect() }
+    }
+
+    /// The number of voxels.
+    pub(super) fn voxels(&self) -> usize {
+        self.grid.dimensions.iter().map(|&count| count as usize).product()
+    }
+
+    /// The coverage of a voxel by a body.
+    pub(super) fn of(&self, body: usize, voxel: usize) -> f32 {
+        self.of_distance[usize::from(self.fields[body * self.voxels() + voxel])]
     }
 
     fn of_one(&self, name: &str) -> Result<Volume, Error> {
@@ -232,22 +247,22 @@ impl<'a> Shares<'a> {
 
     /// The mean of the bodies' `values`, weighted by their coverages, and of `air` for the rest; an earlier body takes its coverage
     /// before later ones.
-    fn mixed(&self, name: &str, values: &[f32], air: f32) -> Result<Volume, Error> {
-        let voxels = self.fields.len() / values.len();
+    pub(super) fn mixed(&self, name: &str, values: &[f32], air: f32) -> Result<Volume, Error> {
         let mix = |voxel: usize| {
             let (mut left, mut sum) = (1.0_f32, 0.0);
             for (body, value) in values.iter().enumerate() {
-                let share = self.of_distance[usize::from(self.fields[body * voxels + voxel])].min(left);
+                let share = self.of(body, voxel).min(left);
                 left -= share;
                 sum += share * value;
             }
             sum + left * air
         };
-        let mixed: Vec<f32> = (0..voxels).into_par_iter().map(mix).collect();
+        let mixed: Vec<f32> = (0..self.voxels()).into_par_iter().map(mix).collect();
         self.placed(name, Voxels::from(mixed))
     }
 
-    fn placed(&self, name: &str, voxels: Voxels) -> Result<Volume, Error> {
+    /// The volume of `voxels` on the grid.
+    pub(super) fn placed(&self, name: &str, voxels: Voxels) -> Result<Volume, Error> {
         let Grid { dimensions, origin, voxel_size } = self.grid;
         let mut volume = Volume::new(name, dimensions, [voxel_size as f32; 3], voxels)?;
         // Where the first voxel's centre is.

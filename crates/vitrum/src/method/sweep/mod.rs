@@ -3,6 +3,7 @@
 //! [`Sweep::prepare`] turns a scene into tables, buffers and a pass list; [`Sweep::run`] hands the list to the backend;
 //! [`Sweep::film`] and [`Sweep::irradiance`] read what came out.
 
+mod bodies;
 mod cache;
 mod carrier;
 pub(in crate::method) mod caustics;
@@ -36,7 +37,6 @@ use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
 use crate::error::Error;
 use crate::film::Output;
-use crate::method::voxels::bodies;
 use crate::method::{Bounds, Cache, ChosenRays, Exposure, Job, Method, PreparedFrame, Tools, View, lights, spectrum};
 use crate::request::OutputRequest;
 use crate::scene::{MethodName, Scene, Transport};
@@ -72,18 +72,21 @@ impl Method for PlaneSweep {
                 crate::method::surface::check_mesh(mesh)?;
                 light::check(scene, Bounds::from(&**mesh), assets.environment.as_deref())
             }
-            Subject::Volume(_) | Subject::Volumes { .. } => assets
-                .subject
-                .volumes()
-                .map_or(Ok(()), |volumes| uniforms::check(&as_shown(scene), volumes, assets.environment.as_deref())),
+            Subject::Volume(_) | Subject::Volumes { .. } => {
+                let Some(volumes) = assets.subject.volumes() else { return Ok(()) };
+                bodies::check(scene, volumes, assets)?;
+                uniforms::check(&as_shown(scene), volumes, assets.environment.as_deref())
+            }
         }
     }
 
     /// One exposure for each light, and of each for each wavelength where indices of refraction depend on it.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
         let scene = &*as_shown(scene);
-        let disperses =
-            assets.subject.mesh().map_or(scene.transfer.disperses(), |mesh| bodies::disperse(mesh, &scene.material));
+        let disperses = assets
+            .subject
+            .mesh()
+            .map_or(scene.transfer.disperses(), |mesh| crate::method::voxels::bodies::disperse(mesh, &scene.material));
         let wavelengths = (scene.sweep.refraction && disperses).then_some(scene.sweep.wavelengths);
         let bounds = Bounds::from(&assets.subject);
         spectrum::split(lights::sweep_exposures(scene, assets.environment.as_deref(), bounds), wavelengths)
@@ -112,10 +115,18 @@ impl Method for PlaneSweep {
         let cache: &mut SweepCache = cache.of();
         let map = assets.environment.as_deref();
         if let Some(volumes) = assets.subject.volumes() {
-            return Ok(Box::new(Sweep::of(scene, volumes, map, (request, chosen), &mut cache.frame, tools.backend)?));
+            cache.bodies(scene, volumes.shown, assets, tools)?;
+            let SweepCache { bodies, frame, .. } = cache;
+            let Some(bodies) = bodies else {
+                return Ok(Box::new(Sweep::of(scene, volumes, map, (request, chosen), frame, tools.backend)?));
+            };
+            let voxelized = Some(Voxelized { dimensions: bodies.dimensions(), open_rows: bodies.open_rows });
+            let (scene, volumes) = (bodies.scene(scene), bodies.volumes(volumes));
+            let sweep = Sweep::of(&scene, volumes, map, (request, chosen), frame, tools.backend)?;
+            return Ok(Box::new(Sweep { voxelized, ..sweep }));
         }
         cache.mesh(scene, assets, tools)?;
-        let SweepCache { mesh: Some(mesh), frame } = cache else { unreachable!("it was made above") };
+        let SweepCache { mesh: Some(mesh), frame, .. } = cache else { unreachable!("it was made above") };
         let (scene, volumes) = (mesh.scene(scene, assets)?, mesh.volumes());
         let voxelized = Some(Voxelized { dimensions: volumes.shown.dimensions, open_rows: mesh.open_rows });
         let sweep = Sweep::of(&scene, volumes, map, (request, chosen), frame, tools.backend)?;
@@ -140,7 +151,7 @@ pub struct Sweep {
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
     request: OutputRequest,
-    /// The volumes that were made of a mesh, if the subject is one.
+    /// The volumes that were made of a mesh, if the subject is one, or has bodies within it.
     voxelized: Option<Voxelized>,
 }
 

@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use vitrum_io::{BrickRanges, Volume, Voxels};
 use vitrum_kernels::abi::sweep::blend;
+use vitrum_kernels::field::bodies::SURFACE;
 use vitrum_kernels::field::tables::ior;
 
 /// The bricks of all volumes on a backend.
@@ -32,7 +33,12 @@ pub(super) enum VolumeRole {
     Shown,
     /// The volume's scalar gives the index of refraction.
     Bending,
+    /// The volume's values are the share of bodies, 0 to 255.
+    Bodies,
 }
+
+/// The least value of a voxel around which a body's surface may be.
+const BODY: f32 = SURFACE * 255.0 - 1.0;
 
 /// The least and the greatest value of a set.
 type Range<T> = (T, T);
@@ -195,6 +201,9 @@ impl OccupancyQuery<'_> {
             let (low, high) = (f32::from(widened[index].0), f32::from(widened[index].1));
             let at = [index % bricks[0], index / bricks[0] % bricks[1], index / bricks[0] / bricks[1]];
             let on_border = at.iter().zip(bricks).any(|(&at, count)| at == 0 || at + 1 == count);
+            if self.role == VolumeRole::Bodies {
+                return high >= BODY;
+            }
             let particles = self.role != VolumeRole::Bending && !self.is_without_particles(low, high);
             let changes = self.role != VolumeRole::Shown && !self.is_uniform(low, high);
             let border = (self.cut || on_border) && !self.is_like_outside(low, high);
@@ -247,19 +256,20 @@ impl OccupancyQuery<'_> {
 
     /// Whether stored values from `low` to `high` bend no light at the border of the volume: they have the index of the surroundings, 1.
     fn is_like_outside(&self, low: f32, high: f32) -> bool {
+        if matches!(self.role, VolumeRole::Shown | VolumeRole::Bodies) {
+            return true;
+        }
         let [lower, higher] = self.normalised(low, high);
         let alike = |scalar: f32| ior(&self.tables.words, scalar) == 1.0;
         // Between equal voxels there is just this scalar, and η may rise right next to it.
-        let all_alike = if low == high {
-            alike(self.scalar(low))
-        } else {
-            self.is_uniform(low, high) && alike(lower) && alike(higher)
-        };
-        self.role == VolumeRole::Shown || all_alike
+        if low == high { alike(self.scalar(low)) } else { self.is_uniform(low, high) && alike(lower) && alike(higher) }
     }
 
     /// Whether stored values from `low` to `high` are empty: without opacity, filter and change of η.
     pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
+        if self.role == VolumeRole::Bodies {
+            return high < BODY;
+        }
         self.blend.is_none()
             && (self.role == VolumeRole::Bending || self.is_clear(low, high))
             && (self.role == VolumeRole::Shown || self.is_uniform(low, high))

@@ -44,14 +44,17 @@ pub(super) fn build(
 ) -> Result<(PassList, Buffers, Option<Arc<Carried>>), Error> {
     let rendered = volumes;
     let shown = volumes.shown;
-    let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
+    let UploadedVolumes { ranges, second_ranges, .. } = uploaded;
     let made = Arc::clone(&plan.tables);
     let tables = &*made;
-    let has_particles = tables.densest > 0.0;
-    // The largest optical depth of particles from plane to plane.
-    let densest = tables.densest * plan.planes.distance * f64::from(plan.common().step.inverse_reference_length);
-    let second = volumes.ior.zip(ior_ranges.as_ref());
-    let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
+    let has_bodies = volumes.bodies.is_some();
+    let is_lit = has_bodies || tables.densest > 0.0;
+    // The largest optical depth of particles from plane to plane; bodies have no end of it.
+    let densest = if has_bodies { f64::INFINITY } else { tables.densest };
+    let densest = densest * plan.planes.distance * f64::from(plan.common().step.inverse_reference_length);
+    let second = volumes.second().zip(second_ranges.as_ref());
+    let role = if volumes.ior.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
+    let second_role = if has_bodies { VolumeRole::Bodies } else { VolumeRole::Bending };
     // A cut through matter of one index bends light, too.
     let cut = scene.crop.is_some() || scene.clip.iter().any(|clip| clip.removes == Removes::Everything);
     let blend = projection::blend(scene);
@@ -61,7 +64,7 @@ pub(super) fn build(
         ranges,
         tables,
         reach: plan.reach[1],
-        role: VolumeRole::Bending,
+        role: second_role,
         cut,
         blend,
     }));
@@ -185,8 +188,8 @@ pub(super) fn build(
     if scene.sweep.follow_turned_rays && mode::bends(plan.mode) && !plan.format.is_paged() {
         // The step of the planes within the volume.
         let volumes = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];
-        // Where there are no particles, nothing on the way looks at the light.
-        let chosen = if has_particles { plan.ray_mode() } else { mode::on_texels(plan.mode) };
+        // Where there are neither particles nor bodies, nothing on the way looks at the light.
+        let chosen = if is_lit { plan.ray_mode() } else { mode::on_texels(plan.mode) };
         let follow = || plan.pass(followers, pixels, chosen, plan.planes.behind, &volumes);
         passes.extend((0..most_follow_passes(plan)).map(|_| follow()));
     }

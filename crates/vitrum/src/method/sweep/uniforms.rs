@@ -142,12 +142,12 @@ impl FramePlan {
         map: &EnvironmentMap,
         (format, largest_buffer): (Format, u64),
     ) -> Result<Self, Error> {
-        let Volumes { shown, ior: bending } = volumes;
+        let (shown, second) = (volumes.shown, volumes.second());
         let Geometry { view, towards, planes, light_grid, receivers, frame } = Geometry::new(scene, volumes)?;
         let environment = EnvironmentUniforms::new(scene, map, &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
-        let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
+        let reach = [reach(shown, planes.distance), second.map_or(1, |volume| reach(volume, planes.distance))];
         let by_gradient = scene.shading.is_by_gradient(scene.first_light());
         let mode = match (tables.refracts, scene.sweep.gradient) {
             // Rays are straight in any mode where η is 1; where light is carried, this one has gradients.
@@ -160,7 +160,7 @@ impl FramePlan {
             (true, Gradient::Central) => mode::CLEAR_CENTRAL,
             (true, Gradient::Chain) => mode::CHAIN,
         };
-        let first_ior_brick: u32 = super::voxels::bricks(shown).iter().product();
+        let first_brick: u32 = super::voxels::bricks(shown).iter().product();
         crop::check(scene, volumes)?;
         let extent = |volume| Extent::new(scene, volumes, volume);
         let mut block = SweepUniforms {
@@ -197,13 +197,13 @@ impl FramePlan {
             environment: environment.block,
             ..SweepUniforms::default()
         };
-        block.ior_grid = bending.map_or(block.grid, |volume| {
-            grid(volume, tables.bending, format, &view, extent(volume), (reach[1], first_ior_brick))
+        block.ior_grid = second.map_or(block.grid, |volume| {
+            grid(volume, tables.bending, format, &view, extent(volume), (reach[1], first_brick))
         });
         let nearest = u32::from(scene.volume.interpolation == Interpolation::Nearest);
         (block.grid.nearest, block.ior_grid.nearest) = (nearest, nearest);
         let steepest = steepest(&view, &tables, std::iter::once(towards.as_vec3().to_array()));
-        let sampled = std::iter::once(shown).chain(bending);
+        let sampled = std::iter::once(shown).chain(second);
         let aside = frame.as_ref().map_or(0.0, Frame::reach);
         let sampling =
             sampled.clone().map(|volume| Sampling::new(scene, volume, &view, &planes, (steepest, aside))).collect();

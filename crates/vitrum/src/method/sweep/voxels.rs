@@ -13,11 +13,13 @@ use vitrum_kernels::abi::format::{Format, page};
 use vitrum_kernels::abi::grid::Grid;
 use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 
-/// The format in which a volume is stored on the device, and with which kernels read it; `ior` is the second volume, if there is one. Floats with colours have
-/// been made 16 bits wide before ([`crate::shown`]); colours of others do not count.
-pub(super) fn chosen_format(shown: &Volume, ior: Option<&Volume>) -> Format {
-    match (&shown.voxels, ior) {
+/// The format in which a volume is stored on the device, and with which kernels read it. Floats with colours or bodies have been made 16 bits wide
+/// before ([`crate::shown`]); colours of others do not count.
+pub(super) fn chosen_format(volumes: Volumes<'_>) -> Format {
+    let shown = volumes.shown;
+    match (&shown.voxels, volumes.ior) {
         (_, Some(_)) => Format::F32WithIor,
+        (_, None) if volumes.bodies.is_some() => Format::U16WithBodies,
         (Voxels::U8(_) | Voxels::U16(_), None) if shown.colors.is_some() => Format::U16WithColor,
         (Voxels::U8(_), None) => Format::U8,
         (Voxels::U16(_), None) => Format::U16,
@@ -37,8 +39,10 @@ pub(super) fn fit(volumes: Volumes<'_>, stored: Format, backend: &dyn Backend) -
     }
     // Stored voxels are counted by a signed 32-bit number, and a few are read at once.
     let most = backend.largest_buffer().min((i32::MAX as u64 - 8) * stored.bytes());
-    let colors = volumes.shown.colors.as_ref().map(|colors| colors.len() as u64 * 4);
-    let sizes = volumes.iter().map(|volume| bytes(volume, stored)).chain(colors);
+    let words = [volumes.shown.colors.as_ref(), volumes.bodies.and_then(|bodies| bodies.colors.as_ref())];
+    let words = words.into_iter().flatten().map(|words| words.len() as u64 * 4);
+    let read = std::iter::once(volumes.shown).chain(volumes.ior);
+    let sizes = read.map(|volume| bytes(volume, stored)).chain(words);
     sizes.clone().all(|size| size <= most) && sizes.sum::<u64>() <= backend.volume_limit()
 }
 
@@ -52,7 +56,7 @@ pub(super) fn upload(volume: &Volume, stored: Format, backend: &mut dyn Backend)
     Ok(match (&volume.voxels, stored) {
         (Voxels::U8(voxels), Format::F32WithIor) => floats(voxels, backend)?,
         (Voxels::U16(voxels), Format::F32WithIor) => floats(voxels, backend)?,
-        (Voxels::U8(voxels), Format::U16WithColor) => wider(voxels, backend)?,
+        (Voxels::U8(voxels), Format::U16WithColor | Format::U16WithBodies) => wider(voxels, backend)?,
         (voxels, _) => backend.create("voxels", Contents::Shared(&voxels.words()))?,
     })
 }

@@ -26,6 +26,14 @@ fn of_body<'a>(body: &'a Body, mesh: &Mesh, scene: &Scene) -> (Option<&'a [[f32;
     (colors, color, left)
 }
 
+/// The diffuse reflectance of a body as a whole, linear RGB, 0 to 1: where its vertices have colours that show, their mean.
+pub(in crate::method) fn reflectance(body: &Body, mesh: &Mesh, scene: &Scene) -> Rgb {
+    let (colors, color, _) = of_body(body, mesh, scene);
+    let Some(colors) = colors.filter(|colors| !colors.is_empty()) else { return color };
+    let mean = |channel: usize| colors.iter().map(|color| f64::from(color[channel])).sum::<f64>() / colors.len() as f64;
+    std::array::from_fn(|channel| (mean(channel) as f32).clamp(0.0, 1.0))
+}
+
 /// The surface attributes of `bodies`; the tree has the triangles of the bodies from number `first` on.
 pub(super) fn looks(bodies: &[Body], first: usize, mesh: &Mesh, scene: &Scene) -> Looks {
     let look = |colors: [Rgb; 3], left: f32| {

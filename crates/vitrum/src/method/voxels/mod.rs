@@ -12,7 +12,7 @@ mod distances;
 mod fields;
 mod film;
 pub(in crate::method) mod light;
-mod looks;
+pub(in crate::method) mod looks;
 mod normals;
 mod passes;
 mod received;

@@ -47,7 +47,34 @@ fn check_method(scene: &Scene) -> Result<(), Fault> {
         medium::check(scene.method, medium)?;
     }
     // A method that shows volumes shows one where no mesh is named.
-    if scene.mesh.is_empty() && scene.method.capabilities().volumes { Ok(()) } else { check_mesh(scene) }
+    match (scene.method.capabilities().volumes, scene.mesh.is_empty(), scene.has_bodies()) {
+        (true, true, _) => Ok(()),
+        (true, _, true) => check_bodies(scene),
+        _ => check_mesh(scene),
+    }
+}
+
+/// Refuses the keys that a picture of bodies within a volume cannot have.
+fn check_bodies(scene: &Scene) -> Result<(), Fault> {
+    let blends = [("shading.blend_mode", scene.shading.blend_mode != BlendMode::Composite)];
+    refuse(&blends, "it shows values of the volume alone, and `mesh` is given", "or leave `mesh` out")?;
+    check_no_mirror(scene)?;
+    check_materials(scene)?;
+    for (index, material) in scene.material.iter().enumerate() {
+        let given = [
+            ("abbe", material.abbe.is_some()),
+            ("cauchy_b", material.cauchy_b.is_some()),
+            ("attenuation_color", material.attenuation_color != Material::default().attenuation_color),
+        ];
+        if let Some((name, _)) = given.into_iter().find(|(_, given)| *given) {
+            return Err(Fault::contradiction(
+                &format!("material.{index}.{name}"),
+                "clear bodies within a volume bend all colours alike and absorb none",
+                "leave it out, or show the mesh without a volume",
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Keys that the scene's method ignores, or cannot render, in a picture of a mesh are refused.

@@ -20,6 +20,16 @@ fn check_shown(scene: &Scene) -> Result<(), Fault> {
     if scene.mesh.is_empty() && shows.volumes {
         return check_source("volume", &scene.volume);
     }
+    if scene.has_bodies() && shows.volumes {
+        check_source("volume", &scene.volume)?;
+        let problem = "meshes within a volume take its place";
+        refuse(&[("ior_volume", scene.ior_volume.is_some())], problem, "or leave `mesh` out")?;
+        return scene
+            .mesh
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, mesh)| check_mesh(scene, &format!("mesh.{index}"), mesh));
+    }
     if scene.mesh.is_empty() {
         return Err(Fault::contradiction(
             "method",
@@ -38,7 +48,11 @@ fn check_shown(scene: &Scene) -> Result<(), Fault> {
         check_mesh(scene, &format!("mesh.{index}"), mesh)?;
     }
     let given = [("volume", scene.volume != VolumeSource::default()), ("ior_volume", scene.ior_volume.is_some())];
-    refuse(&given, "a volume and a mesh are given", "or leave `mesh` out")
+    refuse(
+        &given,
+        "a volume and a mesh are given",
+        "or leave `mesh` out, or take the method `sweep`, which shows meshes within a volume",
+    )
 }
 
 fn check_mesh(scene: &Scene, key: &str, mesh: &MeshSource) -> Result<(), Fault> {

@@ -211,7 +211,7 @@ fn block(
         ..*seen_by
     };
     block.grid = turned(&seen_by.grid, volumes.shown);
-    block.ior_grid = turned(&seen_by.ior_grid, volumes.ior.unwrap_or(volumes.shown));
+    block.ior_grid = turned(&seen_by.ior_grid, volumes.second().unwrap_or(volumes.shown));
     block.receivers.ground.plane = planes.ground.as_vec4().into();
     block.receivers.wall.plane = planes.wall.as_vec4().into();
     block.light.direction = glam::Vec3::Z.into();
