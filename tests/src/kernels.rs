@@ -36,6 +36,10 @@ const SPOT: &str = "light.0={kind='spot',position=[1.5,2.5,1.5],direction=[-1.5,
 const CROP: &str = "crop={min=[0.1,0.05,0.2],max=[0.7,0.9,0.85]}";
 /// A clear surface before an opaque one, in `phantom`.
 const ISOSURFACES: &str = "isosurface=[{value=35,opacity=0.3,color='red'},{value=130}]";
+/// Opaque bodies within a built-in volume, partly outside of it.
+const BODIES: &str = "mesh=[{builtin='torus',scale=0.5,position=[0.2,0.3,0.1]}]";
+/// The material of clear bodies.
+const CLEAR: &str = "material=[{}]";
 /// Light on texels, which cases have that do not name a carrier.
 const TEXELS: &str = "sweep.light=texels";
 
@@ -106,6 +110,11 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("ball colours", "ball", &[])?.in_colors()?,
         case("luneburg colours forward", "luneburg", &[FORWARD])?.in_colors()?,
         case("phantom colours isosurfaces forward", "phantom", &[FORWARD, ISOSURFACES])?.in_colors()?,
+        case("phantom bodies", "phantom", &[BODIES])?,
+        case("phantom bodies forward", "phantom", &[FORWARD, BODIES, "ground={}"])?,
+        case("phantom bodies straight forward", "phantom", &[FORWARD, BODIES, "sweep.refraction=false"])?,
+        case("head bodies unshaded", "head", &["light.0.shadows=false", BODIES])?,
+        case("phantom clear bodies forward", "phantom", &[FORWARD, BODIES, CLEAR, "transfer.ior=[]"])?,
         case("phantom cropped", "phantom", &[CROP])?,
         case("glass cropped forward", "glass", &[FORWARD, CROP])?,
     ]);

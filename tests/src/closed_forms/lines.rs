@@ -77,6 +77,8 @@ const LIT_ISOSURFACES: &str =
 const ISOSURFACE_SHADOWS: &str = "light behind an isosurface of opacity 0.3 that it crosses twice: 0.7²";
 const ISOSURFACE_SEELIGER: &str = "an opaque isosurface, lit at 60°: cos θ / (cos θ + cos θᵥ) (Seeliger)";
 const COLORS: &str = "a homogeneous cube whose voxels have a factor of extinction: 1 − (1 − α)^(factor · ℓ)";
+const BODY: &str = "an opaque ball of triangles within a volume";
+const BODY_SETUP: &str = "48³ voxels, the ball 34 voxels across, inside 0.9 radii";
 const SURFACE: &str = "a layer from 1 to 1.5 mirrors light from all sides by Fresnel, at 0° and 60°";
 const LENS: &str = "the ray step alone, exact gradients: Luneburg lens";
 const FISHEYE: &str = "the ray step alone: Maxwell's fisheye η = 2/(1 + r²) images a point";
@@ -210,6 +212,12 @@ lines! {
     GRADIENT_OPACITY: COLORS, "32³ voxels whose scalar rises evenly; a gradient opacity of 128/255", "the opacity", 1.498e-5, 2.9e-5;
     COLORS_LIGHT: COLORS, "the light behind it, planes every ½ and 1 voxel", "the irradiance, relative", 2.322e-4, 4.6e-4;
     COLORS_COLOR: "the colour of a voxel, of bytes in sRGB", "188, 100, 30", "the linear colour", 1.571e-3, 3.1e-3;
+
+    BODY_DEPTH: BODY, BODY_SETUP, "the depth, voxels of the scan", 0.02, 0.04;
+    BODY_LIGHT: "an opaque ball of triangles within a volume, lit from 0° and 60°: n · l", BODY_SETUP, "the radiance", 0.02, 0.04;
+    BODY_IN_MATTER: "an opaque ball of triangles within a homogeneous cube: n · l e^(−2τ)", "32³ voxels, planes every ½ and 1 voxel, inside 0.8 radii", "the radiance, relative", 0.02, 0.04;
+    BODY_SHADOW: "the shadow of an opaque ball within a volume", "48³ voxels, on a wall, lit from 50°", "the area, relative", 0.02, 0.04;
+    BODY_LENS: "a clear ball of triangles within a volume, n = 1.5: Snell's law", "64³ voxels", CROSSING, 0.04, 0.05;
 
     OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;

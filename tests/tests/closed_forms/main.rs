@@ -6,6 +6,7 @@
 mod ambient;
 mod attenuation;
 mod ball;
+mod bodies;
 mod border;
 mod colors;
 mod crop;

@@ -44,7 +44,7 @@ impl Cache {
         let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
         let noise = || *self.noise.of((), || preset::noise(volumes.bending()));
         let range = || *self.range.of((), || volumes.shown.common_range());
-        let changes = Changes::of(scene, volumes, noise, range);
+        let changes = Changes::of(scene, (volumes, assets.bodies.is_some()), noise, range);
         if !self.shown.is_of(&changes) {
             self.entries.clear();
             self.finer = Memo::default();

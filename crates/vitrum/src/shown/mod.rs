@@ -69,14 +69,13 @@ pub(crate) fn bends(scene: &Scene) -> bool {
 
 impl Changes {
     /// The changes that a scene asks for. `noise` measures the noise of the volume that bends light; it is asked for only where the scene leaves
-    /// the choice, and light is bent. `range` gives the shown volume's range without outliers, for which all voxels are counted.
+    /// the choice, and light is bent. Bodies within the volume are beside one scalar alone, of 16 bits. `range` gives the shown volume's range without outliers, for which all voxels are counted.
     pub(crate) fn of(
         scene: &Scene,
-        volumes: Volumes<'_>,
+        (volumes, has_bodies): (Volumes<'_>, bool),
         noise: impl FnOnce() -> Option<Noise>,
         mut range: impl FnMut() -> [f32; 2],
     ) -> Self {
-        let has_bodies = scene.has_bodies();
         let transfer = &scene.transfer;
         // What was computed or made in memory has the values that it should have.
         let bending = volumes.bending();
@@ -194,7 +193,7 @@ pub(crate) fn told_of_mask(scene: &Scene, assets: &Assets) -> Option<String> {
 pub(crate) fn shown(scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Error> {
     let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
     let (noise, range) = (|| preset::noise(volumes.bending()), || volumes.shown.common_range());
-    let changes = Changes::of(scene, volumes, noise, range);
+    let changes = Changes::of(scene, (volumes, assets.bodies.is_some()), noise, range);
     Ok(changes.made(assets)?.map(|subject| Assets { subject, ..assets.clone() }))
 }
 
