@@ -21,6 +21,10 @@ pub struct Arguments {
     /// Build and install the wheel without running its tests.
     #[arg(long)]
     no_tests: bool,
+
+    /// Build a wheel for another machine, such as `aarch64-unknown-linux-gnu` (`rustup target add` it first), and neither install nor test it.
+    #[arg(long)]
+    target: Option<String>,
 }
 
 /// Builds and tests the wheel for itself; what leaves that out is an error here.
@@ -38,7 +42,14 @@ pub fn check(arguments: &Arguments) -> Result<Completion, Failure> {
         return Ok(Completion::LeftOut(reason));
     }
     let python = environment::python(&folder);
-    let wheel = build(&python)?;
+    if let Some(target) = &arguments.target {
+        // Zig links for machines whose linker and C library are not here.
+        let mut install = module(&python, &root(), "pip");
+        run_command(install.args(["install", "--quiet", "--disable-pip-version-check", "ziglang"]))?;
+        println!("{}", build(&python, &["--zig", "--target", target])?.display());
+        return Ok(Completion::Whole);
+    }
+    let wheel = build(&python, &[])?;
     // As it is: its dependency is there.
     let mut install = Command::new(&python);
     install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps"]);
@@ -66,15 +77,15 @@ fn module(python: &Path, folder: &Path, name: &str) -> Command {
     command
 }
 
-/// Builds the wheel with the packages that cargo has compiled for the tests.
-fn build(python: &Path) -> Result<PathBuf, Failure> {
+/// Builds the wheel with the packages that cargo has compiled for the tests, if it is for this machine.
+fn build(python: &Path, more: &[&str]) -> Result<PathBuf, Failure> {
     let wheels = target().join("wheels");
     let unusable = |error| Failure::setup(format!("{}: {error}", wheels.display()));
     if wheels.exists() {
         fs::remove_dir_all(&wheels).map_err(unusable)?;
     }
     let mut maturin = module(python, &root().join(PACKAGE), "maturin");
-    maturin.args(["build", "--release", "--locked", "--out"]).arg(&wheels).env("CARGO_TARGET_DIR", target());
+    maturin.args(["build", "--release", "--locked", "--out"]).arg(&wheels).args(more).env("CARGO_TARGET_DIR", target());
     run_command(&mut maturin)?;
     let mut found = fs::read_dir(&wheels).map_err(unusable)?.filter_map(|entry| Some(entry.ok()?.path()));
     let wheel = found.find(|path| path.extension().is_some_and(|extension| extension == "whl"));

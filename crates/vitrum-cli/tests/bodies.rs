@@ -62,7 +62,9 @@ fn a_scene_with_bodies_renders_as_the_command_that_wrote_it() {
 
 /// The pixels of a PNG, without what it says about its making.
 fn pixels(file: &[u8]) -> Vec<[u8; 4]> {
-    vitrum::io::read_picture_bytes("picture.png", file).expect("a picture").to_srgb8()
+    vitrum::io::read_picture_bytes("picture.png", file, &vitrum::io::OpenOptions::default())
+        .expect("a picture")
+        .to_srgb8()
 }
 
 #[test]

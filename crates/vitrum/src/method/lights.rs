@@ -35,7 +35,8 @@ fn one_each(scene: &Scene, own: &[Light], of_environment: &[Light]) -> Vec<Expos
     let mut scene = scene.clone();
     scene.environment.lights = 0;
     let (first, others) = match own.split_first() {
-        Some((first, others)) => (vec![first.clone()], others),
+        // Light that is none throws no shadow, and is not carried.
+        Some((first, others)) => (vec![Light { shadows: first.shadows && !is_black(first), ..first.clone() }], others),
         None => (Vec::new(), own),
     };
     let whole = Exposure::whole(Scene { light: first, ..scene.clone() });
@@ -133,6 +134,8 @@ mod tests {
             assert_eq!(found, expected);
             assert!(exposures.iter().all(|one| one.scene.light.len() < 2));
             let [first, others @ ..] = &exposures[..] else { panic!("there is always a first") };
+            let dark = intensities.first() == Some(&0.0);
+            assert!(first.scene.light.iter().all(|light| light.shadows != dark));
             assert!(first.part == Part::Whole && first.scene.shading == Scene::default().shading);
             for other in others {
                 assert!(other.part == Part::Light && other.scene.shading.ambient == [0.0; 3]);

@@ -22,6 +22,9 @@ use vitrum_io::{Mesh, Volume, Voxels, linear_to_srgb};
 
 /// The most voxels of opaque bodies along an edge of a voxel of the scan: viewing rays look for surfaces at as many places between two planes.
 const FINEST: f64 = 4.0;
+/// Width of an opaque body's edge, in its voxels, over which its share falls from 1 to 0 in a straight line. Differences over a voxel to each side of the surface, between
+/// interpolated values, are within it, so that they give the normal.
+const EDGE: f64 = 5.0;
 /// The fewest voxels along the longest edge of the bodies.
 const FEWEST: u32 = 8;
 
@@ -101,10 +104,9 @@ impl BodyVolume {
         let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
         let grid = Grid::around_box(&mesh.name, bounds, &settings)?;
         let solids = Solids::new(&bodies, grid, tools)?;
-        let shares = Shares::new(&solids.fields, grid);
         let volume = match &kind.indices {
-            Some(indices) => shares.mixed(&mesh.name, indices, 1.0)?,
-            None => opaque(&shares, &mesh.name, &kind.reflectances)?,
+            Some(indices) => Shares::new(&solids.fields, grid).mixed(&mesh.name, indices, 1.0)?,
+            None => opaque(&Shares::straight(&solids.fields, grid, EDGE), &mesh.name, &kind.reflectances)?,
         };
         Ok(Self { kind, mesh: Arc::clone(mesh), volume, open_rows: solids.open_rows })
     }
@@ -187,7 +189,7 @@ mod tests {
         let grid = Grid { dimensions: [3, 1, 1], origin: [0.0; 3], voxel_size: 0.5 };
         // Two bodies that touch in the second voxel, and end in the third.
         let fields = [65535, 32768, 0, 0, 32768, 32768];
-        let shares = Shares::new(&fields, grid);
+        let shares = Shares::straight(&fields, grid, EDGE);
         let volume = opaque(&shares, "two", &[[1.0, 0.0, 0.25], [0.0, 1.0, 0.25]]).unwrap();
         let words = volume.colors.as_ref().unwrap();
         assert_eq!(words[0], 0xff_00_00_ff | u32::from((linear_to_srgb(0.25) * 255.0 + 0.5) as u8) << 16);

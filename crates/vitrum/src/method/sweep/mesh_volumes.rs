@@ -221,10 +221,19 @@ pub(super) struct Shares<'a> {
 impl<'a> Shares<'a> {
     /// The coverages of fields as [`Solids`] has them.
     pub(super) fn new(fields: &'a [u16], grid: Grid) -> Self {
+        Self::by(fields, grid, EDGE, |t| t * t * (3.0 - 2.0 * t))
+    }
+
+    /// The coverages of fields as [`Solids`] has them, as straight lines that fall from 1 to 0 over `edge` voxels: a coverage between voxels then tells the distance.
+    pub(super) fn straight(fields: &'a [u16], grid: Grid, edge: f64) -> Self {
+        Self::by(fields, grid, edge, |t| t)
+    }
+
+    /// The coverages by a function of the place in an edge of `edge` voxels, 0 outside to 1 inside.
+    fn by(fields: &'a [u16], grid: Grid, edge: f64, shape: impl Fn(f64) -> f64) -> Self {
         let share = |stored: u32| {
             let distance = (f64::from(stored) / 65535.0 * 2.0 - 1.0) * BAND;
-            let t = (distance / EDGE + 0.5).clamp(0.0, 1.0);
-            (t * t * (3.0 - 2.0 * t)) as f32
+            shape((distance / edge + 0.5).clamp(0.0, 1.0)) as f32
         };
         Self { fields, grid, of_distance: (0..=65535).map(share).collect() }
     }
