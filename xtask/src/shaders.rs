@@ -18,6 +18,9 @@ pub struct Arguments {
 /// wherever the whole workspace is built, and always built alike (alone, for release) so that it is built once.
 pub const COMPILER: &str = "vitrum-shader-compiler";
 
+/// Bytes of a stack of rust-gpu's compiler.
+const STACK: &str = "1073741824";
+
 /// Runs the task.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.check { check() } else { compile(&[]) }
@@ -53,5 +56,6 @@ fn compile(arguments: &[&str]) -> Result<(), Failure> {
     // The compiler reads the kernels' declarations and runs none of them: optimising them takes ten minutes of a core.
     let declarations = ["--config", "profile.release.package.vitrum-kernels.opt-level=0"];
     let mut command = cargo(["run", "--release", "--package", COMPILER]);
-    command::run(command.args(declarations).args(arguments))
+    // rust-gpu goes through a kernel's control flow by recursion, deeper than the 8 MiB of a thread in the largest kernels.
+    command::run(command.args(declarations).args(arguments).env("RUST_MIN_STACK", STACK))
 }

@@ -37,6 +37,7 @@ modules! {
     sweep_advance_nodes_f32_with_ior_paged
     sweep_advance_nodes_u16
     sweep_advance_nodes_u16_paged
+    sweep_advance_nodes_u16_with_bodies
     sweep_advance_nodes_u16_with_color
     sweep_advance_nodes_u8
     sweep_advance_nodes_u8_paged
@@ -57,6 +58,7 @@ modules! {
     sweep_follow_rays_f32_with_ior_paged
     sweep_follow_rays_u16
     sweep_follow_rays_u16_paged
+    sweep_follow_rays_u16_with_bodies
     sweep_follow_rays_u16_with_color
     sweep_follow_rays_u8
     sweep_follow_rays_u8_paged
@@ -73,6 +75,7 @@ modules! {
     sweep_project_rays_f32_with_ior_paged
     sweep_project_rays_u16
     sweep_project_rays_u16_paged
+    sweep_project_rays_u16_with_bodies
     sweep_project_rays_u16_with_color
     sweep_project_rays_u8
     sweep_project_rays_u8_paged
@@ -82,6 +85,7 @@ modules! {
     sweep_propagate_rays_f32_with_ior_paged
     sweep_propagate_rays_u16
     sweep_propagate_rays_u16_paged
+    sweep_propagate_rays_u16_with_bodies
     sweep_propagate_rays_u16_with_color
     sweep_propagate_rays_u8
     sweep_propagate_rays_u8_paged
@@ -91,6 +95,7 @@ modules! {
     sweep_refract_light_f32_with_ior_paged
     sweep_refract_light_u16
     sweep_refract_light_u16_paged
+    sweep_refract_light_u16_with_bodies
     sweep_refract_light_u16_with_color
     sweep_refract_light_u8
     sweep_refract_light_u8_paged

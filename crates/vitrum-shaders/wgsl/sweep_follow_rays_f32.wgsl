@@ -339,73 +339,73 @@ var local_58: f32;
 var local_59: type_30;
 var local_60: vec3<f32>;
 var local_61: type_32;
-var phi_7976_: vec3<f32>;
-var phi_6601_: vec3<f32>;
-var phi_8389_: f32;
-var phi_8390_: vec3<f32>;
-var phi_1061_: vec3<f32>;
-var phi_6254_: type_36;
-var phi_8392_: type_37;
-var phi_8905_: type_38;
-var phi_10240_: type_39;
-var phi_10277_: type_34;
-var phi_10381_: f32;
-var phi_10465_: f32;
-var phi_10537_: type_40;
-var phi_10542_: type_34;
-var phi_10544_: f32;
-var phi_10548_: type_37;
-var phi_10550_: i32;
-var phi_12025_: type_39;
-var phi_12037_: bool;
-var phi_12052_: vec3<f32>;
-var phi_19327_: vec3<f32>;
-var phi_17952_: vec3<f32>;
-var phi_19740_: f32;
-var phi_19741_: vec3<f32>;
-var phi_12412_: vec3<f32>;
-var phi_17605_: type_36;
-var phi_19743_: type_37;
-var phi_20268_: type_38;
-var phi_20464_: vec3<f32>;
-var phi_25215_: type_43;
-var phi_25216_: type_41;
-var phi_25217_: f32;
-var phi_25805_: vec3<f32>;
-var phi_26734_: type_38;
-var phi_30409_: type_42;
-var phi_30760_: type_43;
-var phi_30965_: vec3<f32>;
-var phi_31894_: type_38;
-var phi_35569_: type_42;
-var phi_35920_: type_43;
-var phi_36534_: type_38;
-var phi_37241_: i32;
-var phi_37818_: vec3<f32>;
-var phi_38225_: vec3<f32>;
-var phi_38319_: f32;
-var phi_38361_: f32;
-var phi_38592_: vec3<f32>;
-var phi_40152_: f32;
-var phi_40951_: f32;
-var phi_40961_: type_40;
-var phi_41093_: f32;
-var phi_41136_: f32;
-var phi_42089_: f32;
-var phi_42173_: f32;
-var phi_42245_: type_40;
-var phi_41584_: u32;
-var phi_41920_: f32;
-var phi_41952_: vec3<f32>;
-var phi_41978_: f32;
-var phi_42246_: type_40;
-var phi_42574_: type_34;
-var phi_42575_: f32;
-var phi_42577_: type_37;
-var phi_10543_: type_34;
-var phi_10545_: f32;
-var phi_10549_: type_37;
-var phi_10551_: i32;
+var phi_7981_: vec3<f32>;
+var phi_6606_: vec3<f32>;
+var phi_8394_: f32;
+var phi_8395_: vec3<f32>;
+var phi_1066_: vec3<f32>;
+var phi_6259_: type_36;
+var phi_8397_: type_37;
+var phi_8910_: type_38;
+var phi_10245_: type_39;
+var phi_10282_: type_34;
+var phi_10386_: f32;
+var phi_10470_: f32;
+var phi_10542_: type_40;
+var phi_10547_: type_34;
+var phi_10549_: f32;
+var phi_10555_: type_37;
+var phi_10557_: i32;
+var phi_12032_: type_39;
+var phi_12044_: bool;
+var phi_12059_: vec3<f32>;
+var phi_19334_: vec3<f32>;
+var phi_17959_: vec3<f32>;
+var phi_19747_: f32;
+var phi_19748_: vec3<f32>;
+var phi_12419_: vec3<f32>;
+var phi_17612_: type_36;
+var phi_19750_: type_37;
+var phi_20275_: type_38;
+var phi_20471_: vec3<f32>;
+var phi_25222_: type_43;
+var phi_25223_: type_41;
+var phi_25224_: f32;
+var phi_25818_: vec3<f32>;
+var phi_26747_: type_38;
+var phi_30422_: type_42;
+var phi_30773_: type_43;
+var phi_30978_: vec3<f32>;
+var phi_31907_: type_38;
+var phi_35582_: type_42;
+var phi_35933_: type_43;
+var phi_36547_: type_38;
+var phi_37254_: i32;
+var phi_37831_: vec3<f32>;
+var phi_38238_: vec3<f32>;
+var phi_38332_: f32;
+var phi_38374_: f32;
+var phi_38605_: vec3<f32>;
+var phi_40165_: f32;
+var phi_40964_: f32;
+var phi_40974_: type_40;
+var phi_41106_: f32;
+var phi_41149_: f32;
+var phi_42110_: f32;
+var phi_42194_: f32;
+var phi_42266_: type_40;
+var phi_41605_: u32;
+var phi_41941_: f32;
+var phi_41973_: vec3<f32>;
+var phi_41999_: f32;
+var phi_42267_: type_40;
+var phi_42595_: type_34;
+var phi_42596_: f32;
+var phi_42599_: type_37;
+var phi_10548_: type_34;
+var phi_10550_: f32;
+var phi_10556_: type_37;
+var phi_10558_: i32;
 var local_62: type_34;
 var local_63: type_34;
 var local_64: type_34;
@@ -577,7 +577,7 @@ let _e1947 = select(_e1940, _e618, (_e618 > _e1940));
 let _e1949 = select(_e1945, _e1947, (_e1947 < _e1945));
 let _e1954 = global_1.member.member_8.member_15;
 if (_e1954 == 0u) {
-phi_1061_ = vec3<f32>(_e1921, _e1935, _e1949);
+phi_1066_ = vec3<f32>(_e1921, _e1935, _e1949);
 } else {
 let _e1956 = (_e1921 + 0.5f);
 let _e1961 = global_1.member.member_8.member_3.member;
@@ -597,9 +597,9 @@ let _e2008 = (_e2007 - 1f);
 let _e2010 = select(0f, _e2002, (_e2002 > 0f));
 let _e2012 = select(_e2008, _e2010, (_e2010 < _e2008));
 let _e2019 = select(0i, select(select(i32(_e2012), i32(-2147483648), (_e2012 < -2147483600f)), 2147483647i, (_e2012 > 2147483500f)), (_e2012 == _e2012));
-phi_1061_ = vec3<f32>(f32((_e1973 - select(0i, 1i, (_e1966 < f32(_e1973))))), f32((_e1996 - select(0i, 1i, (_e1989 < f32(_e1996))))), f32((_e2019 - select(0i, 1i, (_e2012 < f32(_e2019))))));
+phi_1066_ = vec3<f32>(f32((_e1973 - select(0i, 1i, (_e1966 < f32(_e1973))))), f32((_e1996 - select(0i, 1i, (_e1989 < f32(_e1996))))), f32((_e2019 - select(0i, 1i, (_e2012 < f32(_e2019))))));
 }
-let _e2027 = phi_1061_;
+let _e2027 = phi_1066_;
 let _e2033 = global_1.member.member_8.member_3.member;
 let _e2035 = select(-1f, _e2027.x, (_e2027.x > -1f));
 let _e2037 = select(_e2033, _e2035, (_e2035 < _e2033));
@@ -969,7 +969,7 @@ if _e626 {
 let _e3407 = ((0.5f * (_e2698 - _e2692)) * _e2956);
 let _e3408 = ((0.5f * (_e2710 - _e2704)) * _e2956);
 let _e3409 = ((0.5f * (_e2722 - _e2716)) * _e2956);
-phi_6254_ = type_36(_e2918, vec3<f32>(_e3407, _e3408, _e3409), vec3<f32>((_e3407 * _e2918), (_e3408 * _e2918), (_e3409 * _e2918)));
+phi_6259_ = type_36(_e2918, vec3<f32>(_e3407, _e3408, _e3409), vec3<f32>((_e3407 * _e2918), (_e3408 * _e2918), (_e3409 * _e2918)));
 } else {
 local_55 = _e2692;
 let _e2957 = local_55;
@@ -1118,9 +1118,9 @@ let _e3382 = ((_e2903 + (f32(bitcast<i32>((_e3367 >> bitcast<u32>(12u)))) * _e29
 let _e3383 = (_e3098 - _e3027);
 let _e3385 = (_e3240 - _e3169);
 let _e3387 = (_e3382 - _e3311);
-phi_6254_ = type_36(_e2918, vec3<f32>((0.5f * _e3383), (0.5f * _e3385), (0.5f * _e3387)), vec3<f32>((0.25f * (_e3383 * (_e3098 + _e3027))), (0.25f * (_e3385 * (_e3240 + _e3169))), (0.25f * (_e3387 * (_e3382 + _e3311)))));
+phi_6259_ = type_36(_e2918, vec3<f32>((0.5f * _e3383), (0.5f * _e3385), (0.5f * _e3387)), vec3<f32>((0.25f * (_e3383 * (_e3098 + _e3027))), (0.25f * (_e3385 * (_e3240 + _e3169))), (0.25f * (_e3387 * (_e3382 + _e3311)))));
 }
-let _e3417 = phi_6254_;
+let _e3417 = phi_6259_;
 let _e3432 = select(0f, 1f, ((((((_e588 >= _e1912) && (_e588 <= _e1917)) && (_e603 >= _e1926)) && (_e603 <= _e1931)) && (_e618 >= _e1940)) && (_e618 <= _e1945)));
 let _e3434 = (0.5f * (_e2698 - _e2692));
 let _e3436 = (0.5f * (_e2710 - _e2704));
@@ -1137,7 +1137,7 @@ let _e3492 = global_1.member.member_8.member_2.member.member_2;
 let _e3497 = (((_e3444 * _e3434) + (_e3462 * _e3436)) + (_e3480 * _e3438));
 let _e3502 = (((_e3450 * _e3434) + (_e3468 * _e3436)) + (_e3486 * _e3438));
 let _e3507 = (((_e3456 * _e3434) + (_e3474 * _e3436)) + (_e3492 * _e3438));
-phi_8392_ = type_37(_e2686, vec3<f32>((_e3497 * _e3432), (_e3502 * _e3432), (_e3507 * _e3432)), vec3<f32>(_e3497, _e3502, _e3507), _e3417.member, vec3<f32>(((((_e3444 * _e3417.member_2.x) + (_e3462 * _e3417.member_2.y)) + (_e3480 * _e3417.member_2.z)) * _e3432), ((((_e3450 * _e3417.member_2.x) + (_e3468 * _e3417.member_2.y)) + (_e3486 * _e3417.member_2.z)) * _e3432), ((((_e3456 * _e3417.member_2.x) + (_e3474 * _e3417.member_2.y)) + (_e3492 * _e3417.member_2.z)) * _e3432)), vec3<f32>(((((_e3444 * _e3417.member_1.x) + (_e3462 * _e3417.member_1.y)) + (_e3480 * _e3417.member_1.z)) * _e3432), ((((_e3450 * _e3417.member_1.x) + (_e3468 * _e3417.member_1.y)) + (_e3486 * _e3417.member_1.z)) * _e3432), ((((_e3456 * _e3417.member_1.x) + (_e3474 * _e3417.member_1.y)) + (_e3492 * _e3417.member_1.z)) * _e3432)));
+phi_8397_ = type_37(_e2686, vec3<f32>((_e3497 * _e3432), (_e3502 * _e3432), (_e3507 * _e3432)), vec3<f32>(_e3497, _e3502, _e3507), _e3417.member, vec3<f32>(((((_e3444 * _e3417.member_2.x) + (_e3462 * _e3417.member_2.y)) + (_e3480 * _e3417.member_2.z)) * _e3432), ((((_e3450 * _e3417.member_2.x) + (_e3468 * _e3417.member_2.y)) + (_e3486 * _e3417.member_2.z)) * _e3432), ((((_e3456 * _e3417.member_2.x) + (_e3474 * _e3417.member_2.y)) + (_e3492 * _e3417.member_2.z)) * _e3432)), vec3<f32>(((((_e3444 * _e3417.member_1.x) + (_e3462 * _e3417.member_1.y)) + (_e3480 * _e3417.member_1.z)) * _e3432), ((((_e3450 * _e3417.member_1.x) + (_e3468 * _e3417.member_1.y)) + (_e3486 * _e3417.member_1.z)) * _e3432), ((((_e3456 * _e3417.member_1.x) + (_e3474 * _e3417.member_1.y)) + (_e3492 * _e3417.member_1.z)) * _e3432)));
 } else {
 if (_e278.member_2 == 8u) {
 let _e1016 = global_1.member.member_8.member_4.member;
@@ -1154,7 +1154,7 @@ let _e1051 = select(_e1044, _e618, (_e618 > _e1044));
 let _e1053 = select(_e1049, _e1051, (_e1051 < _e1049));
 let _e1058 = global_1.member.member_8.member_15;
 if (_e1058 == 0u) {
-phi_6601_ = vec3<f32>(_e1025, _e1039, _e1053);
+phi_6606_ = vec3<f32>(_e1025, _e1039, _e1053);
 } else {
 let _e1060 = (_e1025 + 0.5f);
 let _e1065 = global_1.member.member_8.member_3.member;
@@ -1174,9 +1174,9 @@ let _e1112 = (_e1111 - 1f);
 let _e1114 = select(0f, _e1106, (_e1106 > 0f));
 let _e1116 = select(_e1112, _e1114, (_e1114 < _e1112));
 let _e1123 = select(0i, select(select(i32(_e1116), i32(-2147483648), (_e1116 < -2147483600f)), 2147483647i, (_e1116 > 2147483500f)), (_e1116 == _e1116));
-phi_6601_ = vec3<f32>(f32((_e1077 - select(0i, 1i, (_e1070 < f32(_e1077))))), f32((_e1100 - select(0i, 1i, (_e1093 < f32(_e1100))))), f32((_e1123 - select(0i, 1i, (_e1116 < f32(_e1123))))));
+phi_6606_ = vec3<f32>(f32((_e1077 - select(0i, 1i, (_e1070 < f32(_e1077))))), f32((_e1100 - select(0i, 1i, (_e1093 < f32(_e1100))))), f32((_e1123 - select(0i, 1i, (_e1116 < f32(_e1123))))));
 }
-let _e1131 = phi_6601_;
+let _e1131 = phi_6606_;
 let _e1137 = global_1.member.member_8.member_3.member;
 let _e1139 = select(-1f, _e1131.x, (_e1131.x > -1f));
 let _e1141 = select(_e1137, _e1139, (_e1139 < _e1137));
@@ -1464,8 +1464,8 @@ let _e1868 = global_1.member.member_8.member_1.member.member_2;
 let _e1874 = global_1.member.member_8.member_2.member.member;
 let _e1880 = global_1.member.member_8.member_2.member.member_1;
 let _e1886 = global_1.member.member_8.member_2.member.member_2;
-phi_8389_ = select(1e9f, _e1788, (_e1788 < 1e9f));
-phi_8390_ = vec3<f32>((((_e1838 * _e1828) + (_e1856 * _e1830)) + (_e1874 * _e1832)), (((_e1844 * _e1828) + (_e1862 * _e1830)) + (_e1880 * _e1832)), (((_e1850 * _e1828) + (_e1868 * _e1830)) + (_e1886 * _e1832)));
+phi_8394_ = select(1e9f, _e1788, (_e1788 < 1e9f));
+phi_8395_ = vec3<f32>((((_e1838 * _e1828) + (_e1856 * _e1830)) + (_e1874 * _e1832)), (((_e1844 * _e1828) + (_e1862 * _e1830)) + (_e1880 * _e1832)), (((_e1850 * _e1828) + (_e1868 * _e1830)) + (_e1886 * _e1832)));
 } else {
 let _e633 = global_1.member.member_8.member_4.member;
 let _e638 = global_1.member.member_8.member_5.member;
@@ -1481,7 +1481,7 @@ let _e668 = select(_e661, _e618, (_e618 > _e661));
 let _e670 = select(_e666, _e668, (_e668 < _e666));
 let _e675 = global_1.member.member_8.member_15;
 if (_e675 == 0u) {
-phi_7976_ = vec3<f32>(_e642, _e656, _e670);
+phi_7981_ = vec3<f32>(_e642, _e656, _e670);
 } else {
 let _e677 = (_e642 + 0.5f);
 let _e682 = global_1.member.member_8.member_3.member;
@@ -1501,9 +1501,9 @@ let _e729 = (_e728 - 1f);
 let _e731 = select(0f, _e723, (_e723 > 0f));
 let _e733 = select(_e729, _e731, (_e731 < _e729));
 let _e740 = select(0i, select(select(i32(_e733), i32(-2147483648), (_e733 < -2147483600f)), 2147483647i, (_e733 > 2147483500f)), (_e733 == _e733));
-phi_7976_ = vec3<f32>(f32((_e694 - select(0i, 1i, (_e687 < f32(_e694))))), f32((_e717 - select(0i, 1i, (_e710 < f32(_e717))))), f32((_e740 - select(0i, 1i, (_e733 < f32(_e740))))));
+phi_7981_ = vec3<f32>(f32((_e694 - select(0i, 1i, (_e687 < f32(_e694))))), f32((_e717 - select(0i, 1i, (_e710 < f32(_e717))))), f32((_e740 - select(0i, 1i, (_e733 < f32(_e740))))));
 }
-let _e748 = phi_7976_;
+let _e748 = phi_7981_;
 let _e754 = global_1.member.member_8.member_3.member;
 let _e756 = select(-1f, _e748.x, (_e748.x > -1f));
 let _e758 = select(_e754, _e756, (_e756 < _e754));
@@ -1591,18 +1591,18 @@ let _e1004 = global_1.member.member_8.member_7;
 let _e1006 = (((_e937 + (((_e962 + (((_e973 + ((bitcast<f32>(_e982) - _e973) * _e984)) - _e962) * _e988)) - _e937) * _e993)) - _e1000) * _e1004);
 let _e1007 = -(1e9f);
 let _e1009 = select(_e1007, _e1006, (_e1006 > _e1007));
-phi_8389_ = select(1e9f, _e1009, (_e1009 < 1e9f));
-phi_8390_ = vec3<f32>(0f, 0f, 0f);
+phi_8394_ = select(1e9f, _e1009, (_e1009 < 1e9f));
+phi_8395_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e1904 = phi_8389_;
-let _e1906 = phi_8390_;
-phi_8392_ = type_37(_e1904, vec3<f32>(0f, 0f, 0f), _e1906, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e1904 = phi_8394_;
+let _e1906 = phi_8395_;
+phi_8397_ = type_37(_e1904, vec3<f32>(0f, 0f, 0f), _e1906, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3559 = phi_8392_;
+let _e3559 = phi_8397_;
 let _e3562 = global_1.member.member_1;
 let _e3564 = ((_e3562 & 16u) == 0u);
 if _e3564 {
-phi_8905_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_8910_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e3568 = global_1.member.member_16.member;
 let _e3579 = ((((_e3568.member.member * _e304) + (_e3568.member.member_1 * _e314)) + (_e3568.member.member_2 * _e325)) + _e3568.member_1);
@@ -1668,9 +1668,9 @@ let _e3754 = global_1.member.member_19.member_1;
 let _e3755 = (_e3754 != 0u);
 let _e3760 = select(0f, _e3749, _e3755);
 let _e3761 = select(1f, _e3750, _e3755);
-phi_8905_ = type_38(type_35(select(_e3749, _e3706, (_e3706 > _e3749)), select(_e3750, _e3708, (_e3708 < _e3750))), type_35(select(_e3760, _e3712, (_e3712 > _e3760)), select(_e3761, _e3714, (_e3714 < _e3761))), ((((1f * select(1f, 0f, (_e3602 && _e3594))) * select(1f, 0f, (_e3653 && _e3645))) * select(1f, 0f, (_e3704 && _e3696))) * select(1f, 0f, (_e3755 && _e3747))));
+phi_8910_ = type_38(type_35(select(_e3749, _e3706, (_e3706 > _e3749)), select(_e3750, _e3708, (_e3708 < _e3750))), type_35(select(_e3760, _e3712, (_e3712 > _e3760)), select(_e3761, _e3714, (_e3714 < _e3761))), ((((1f * select(1f, 0f, (_e3602 && _e3594))) * select(1f, 0f, (_e3653 && _e3645))) * select(1f, 0f, (_e3704 && _e3696))) * select(1f, 0f, (_e3755 && _e3747))));
 }
-let _e3773 = phi_8905_;
+let _e3773 = phi_8910_;
 if _e546 {
 let _e3775 = type_34(_e568, _e569, _e369, 4f, _e391, _e570, _e435, _e571, _e479, _e490, _e501, _e512, _e572);
 let _e3780 = global_1.member.member_7.member_2;
@@ -1796,7 +1796,7 @@ let _e4101 = select(select(select(select(select(select(0f, _e3812.member, _e3882
 let _e4102 = select(select(select(select(select(select(0f, _e3812.member_1, _e3882), _e3812.member_1, _e3922), _e3820.member_1, _e3962), _e3820.member_1, _e4002), _e3828.member_1, _e4042), _e3828.member_1, _e4082);
 let _e4103 = select(select(select(select(select(select(1f, _e3812.member_2, _e3882), _e3812.member_2, _e3922), _e3820.member_2, _e3962), _e3820.member_2, _e4002), _e3828.member_2, _e4042), _e3828.member_2, _e4082);
 if _e3564 {
-phi_10240_ = type_39(_e4088, vec3<f32>(_e4089, _e4090, _e4091), _e4093, vec3<f32>(_e4094, _e4095, _e4096), _e4098, _e4100, vec3<f32>(_e4101, _e4102, _e4103));
+phi_10245_ = type_39(_e4088, vec3<f32>(_e4089, _e4090, _e4091), _e4093, vec3<f32>(_e4094, _e4095, _e4096), _e4098, _e4100, vec3<f32>(_e4101, _e4102, _e4103));
 } else {
 let _e4110 = (((_e3812.member * _e3812.member) + (_e3812.member_1 * _e3812.member_1)) + (_e3812.member_2 * _e3812.member_2));
 let _e4113 = sqrt(select(0f, _e4110, (_e4110 > 0f)));
@@ -1876,21 +1876,21 @@ let _e4397 = select(2f, select(0f, _e4389, (_e4370 < 0f)), (_e4371 > 0f));
 let _e4398 = (_e4370 > _e4336);
 let _e4402 = ((_e4393 > _e4328) || ((_e4393 == _e4328) && _e4398));
 let _e4403 = (_e4397 < _e4332);
-phi_10240_ = type_39(select(_e4328, _e4393, _e4402), vec3<f32>(select(select(select(select(_e4089, _e4148.member, _e4174), _e4224.member, _e4250), _e4300.member, _e4326), _e4376.member, _e4402), select(select(select(select(_e4090, _e4148.member_1, _e4174), _e4224.member_1, _e4250), _e4300.member_1, _e4326), _e4376.member_1, _e4402), select(select(select(select(_e4091, _e4148.member_2, _e4174), _e4224.member_2, _e4250), _e4300.member_2, _e4326), _e4376.member_2, _e4402)), select(_e4332, _e4397, _e4403), vec3<f32>(select(select(select(select(_e4094, _e4148.member, _e4175), _e4224.member, _e4251), _e4300.member, _e4327), _e4376.member, _e4403), select(select(select(select(_e4095, _e4148.member_1, _e4175), _e4224.member_1, _e4251), _e4300.member_1, _e4327), _e4376.member_1, _e4403), select(select(select(select(_e4096, _e4148.member_2, _e4175), _e4224.member_2, _e4251), _e4300.member_2, _e4327), _e4376.member_2, _e4403)), select(_e4336, _e4370, _e4398), select(_e4338, _e4371, (_e4371 > _e4338)), vec3<f32>(select(select(select(select(_e4101, _e4148.member, _e4170), _e4224.member, _e4246), _e4300.member, _e4322), _e4376.member, _e4398), select(select(select(select(_e4102, _e4148.member_1, _e4170), _e4224.member_1, _e4246), _e4300.member_1, _e4322), _e4376.member_1, _e4398), select(select(select(select(_e4103, _e4148.member_2, _e4170), _e4224.member_2, _e4246), _e4300.member_2, _e4322), _e4376.member_2, _e4398)));
+phi_10245_ = type_39(select(_e4328, _e4393, _e4402), vec3<f32>(select(select(select(select(_e4089, _e4148.member, _e4174), _e4224.member, _e4250), _e4300.member, _e4326), _e4376.member, _e4402), select(select(select(select(_e4090, _e4148.member_1, _e4174), _e4224.member_1, _e4250), _e4300.member_1, _e4326), _e4376.member_1, _e4402), select(select(select(select(_e4091, _e4148.member_2, _e4174), _e4224.member_2, _e4250), _e4300.member_2, _e4326), _e4376.member_2, _e4402)), select(_e4332, _e4397, _e4403), vec3<f32>(select(select(select(select(_e4094, _e4148.member, _e4175), _e4224.member, _e4251), _e4300.member, _e4327), _e4376.member, _e4403), select(select(select(select(_e4095, _e4148.member_1, _e4175), _e4224.member_1, _e4251), _e4300.member_1, _e4327), _e4376.member_1, _e4403), select(select(select(select(_e4096, _e4148.member_2, _e4175), _e4224.member_2, _e4251), _e4300.member_2, _e4327), _e4376.member_2, _e4403)), select(_e4336, _e4370, _e4398), select(_e4338, _e4371, (_e4371 > _e4338)), vec3<f32>(select(select(select(select(_e4101, _e4148.member, _e4170), _e4224.member, _e4246), _e4300.member, _e4322), _e4376.member, _e4398), select(select(select(select(_e4102, _e4148.member_1, _e4170), _e4224.member_1, _e4246), _e4300.member_1, _e4322), _e4376.member_1, _e4398), select(select(select(select(_e4103, _e4148.member_2, _e4170), _e4224.member_2, _e4246), _e4300.member_2, _e4322), _e4376.member_2, _e4398)));
 }
-let _e4423 = phi_10240_;
+let _e4423 = phi_10245_;
 let _e4433 = (select(select(0.5f, _e4423.member_2, (_e4423.member_2 < 1f)), 0f, (_e490 == -1.2676506e30f)) * ((_e3780 / _e358) * select(_e3773.member_2, 0f, (_e479 == 0f))));
-phi_10277_ = type_34(_e3775.member, vec3<f32>((_e336 - (_e3559.member_4.x * _e4433)), (_e347 - (_e3559.member_4.y * _e4433)), (_e358 - (_e3559.member_4.z * _e4433))), _e3775.member_2, _e3775.member_3, _e3775.member_4, _e3775.member_5, _e3775.member_6, _e3775.member_7, _e3775.member_8, _e3775.member_9, _e3775.member_10, _e3775.member_11, _e3775.member_12);
+phi_10282_ = type_34(_e3775.member, vec3<f32>((_e336 - (_e3559.member_4.x * _e4433)), (_e347 - (_e3559.member_4.y * _e4433)), (_e358 - (_e3559.member_4.z * _e4433))), _e3775.member_2, _e3775.member_3, _e3775.member_4, _e3775.member_5, _e3775.member_6, _e3775.member_7, _e3775.member_8, _e3775.member_9, _e3775.member_10, _e3775.member_11, _e3775.member_12);
 } else {
-phi_10277_ = type_34(_e568, _e569, _e369, _e380, _e391, _e570, _e435, _e571, _e479, _e490, _e501, _e512, _e572);
+phi_10282_ = type_34(_e568, _e569, _e369, _e380, _e391, _e570, _e435, _e571, _e479, _e490, _e501, _e512, _e572);
 }
-let _e4458 = phi_10277_;
+let _e4458 = phi_10282_;
 let _e4463 = global_1.member.member_12.member_3;
 let _e4464 = (_e4463 == 0u);
 if _e4464 {
 let _e4682 = global_1.member.member_11.member_1;
 let _e4690 = global_1.member.member_11.member;
-phi_10537_ = type_40(vec3<f32>(_e4682.member, _e4682.member_1, _e4682.member_2), vec3<f32>(_e4690.member, _e4690.member_1, _e4690.member_2));
+phi_10542_ = type_40(vec3<f32>(_e4682.member, _e4682.member_1, _e4682.member_2), vec3<f32>(_e4690.member, _e4690.member_1, _e4690.member_2));
 } else {
 let _e4468 = global_1.member.member_12.member;
 let _e4482 = ((((_e4468.member.member * _e4458.member.x) + (_e4468.member.member_1 * _e4458.member.y)) + (_e4468.member.member_2 * _e4458.member.z)) + _e4468.member_1);
@@ -1900,18 +1900,18 @@ let _e4501 = global_1.member.member_12.member_2;
 let _e4512 = ((((_e4501.member.member * _e4458.member.x) + (_e4501.member.member_1 * _e4458.member.y)) + (_e4501.member.member_2 * _e4458.member.z)) + _e4501.member_1);
 let _e4516 = global_1.member.member_11.member_1;
 if _e4464 {
-phi_10381_ = 1f;
+phi_10386_ = 1f;
 } else {
 let _e4523 = global_1.member.member_12.member_19;
 let _e4527 = (_e4482 - _e4523.member);
 let _e4528 = (_e4497 - _e4523.member_1);
 let _e4529 = (_e4512 - _e4523.member_2);
 let _e4534 = (((_e4527 * _e4527) + (_e4528 * _e4528)) + (_e4529 * _e4529));
-phi_10381_ = (1f / select(1e-12f, _e4534, (_e4534 > 1e-12f)));
+phi_10386_ = (1f / select(1e-12f, _e4534, (_e4534 > 1e-12f)));
 }
-let _e4539 = phi_10381_;
+let _e4539 = phi_10386_;
 if _e4464 {
-phi_10465_ = 1f;
+phi_10470_ = 1f;
 } else {
 let _e4543 = global_1.member.member_12.member_19;
 let _e4547 = (_e4482 - _e4543.member);
@@ -1928,9 +1928,9 @@ let _e4590 = global_1.member.member_12.member_20.member_2;
 let _e4591 = ((_e4584 - (sqrt(select(0f, _e4573, (_e4573 > 0f))) / select(1e-20f, _e4562, (_e4562 > 1e-20f)))) * _e4590);
 let _e4593 = select(0f, _e4591, (_e4591 > 0f));
 let _e4595 = select(1f, _e4593, (_e4593 < 1f));
-phi_10465_ = select(1f, select(0f, ((_e4595 * _e4595) * (3f - (2f * _e4595))), (_e4562 > 0f)), (_e4590 > 0f));
+phi_10470_ = select(1f, select(0f, ((_e4595 * _e4595) * (3f - (2f * _e4595))), (_e4562 > 0f)), (_e4590 > 0f));
 }
-let _e4605 = phi_10465_;
+let _e4605 = phi_10470_;
 let _e4606 = (_e4539 * _e4605);
 let _e4611 = (_e4463 != 0u);
 let _e4615 = global_1.member.member_12.member_19;
@@ -1946,18 +1946,18 @@ let _e4638 = select(1f, (_e4621 * _e4632), _e4611);
 let _e4643 = global_1.member.member_12.member.member;
 let _e4654 = global_1.member.member_12.member_1.member;
 let _e4668 = global_1.member.member_12.member_2.member;
-phi_10537_ = type_40(vec3<f32>((_e4516.member * _e4606), (_e4516.member_1 * _e4606), (_e4516.member_2 * _e4606)), (vec3<f32>(((_e4643.member * _e4636) + (_e4654.member * _e4637)), ((_e4643.member_1 * _e4636) + (_e4654.member_1 * _e4637)), ((_e4643.member_2 * _e4636) + (_e4654.member_2 * _e4637))) + vec3<f32>((_e4668.member * _e4638), (_e4668.member_1 * _e4638), (_e4668.member_2 * _e4638))));
+phi_10542_ = type_40(vec3<f32>((_e4516.member * _e4606), (_e4516.member_1 * _e4606), (_e4516.member_2 * _e4606)), (vec3<f32>(((_e4643.member * _e4636) + (_e4654.member * _e4637)), ((_e4643.member_1 * _e4636) + (_e4654.member_1 * _e4637)), ((_e4643.member_2 * _e4636) + (_e4654.member_2 * _e4637))) + vec3<f32>((_e4668.member * _e4638), (_e4668.member_1 * _e4638), (_e4668.member_2 * _e4638))));
 }
-let _e4697 = phi_10537_;
-phi_10542_ = _e4458;
-phi_10544_ = _e3773.member_2;
-phi_10548_ = _e3559;
-phi_10550_ = 0i;
+let _e4697 = phi_10542_;
+phi_10547_ = _e4458;
+phi_10549_ = _e3773.member_2;
+phi_10555_ = _e3559;
+phi_10557_ = 0i;
 loop {
-let _e4699 = phi_10542_;
-let _e4701 = phi_10544_;
-let _e4703 = phi_10548_;
-let _e4705 = phi_10550_;
+let _e4699 = phi_10547_;
+let _e4701 = phi_10549_;
+let _e4703 = phi_10555_;
+let _e4705 = phi_10557_;
 local_62 = _e4699;
 local_63 = _e4699;
 local_64 = _e4699;
@@ -2131,7 +2131,7 @@ let _e5132 = select(select(select(select(select(select(0f, _e4780.member, _e4913
 let _e5133 = select(select(select(select(select(select(0f, _e4780.member_1, _e4913), _e4780.member_1, _e4953), _e4851.member_1, _e4993), _e4851.member_1, _e5033), _e4859.member_1, _e5073), _e4859.member_1, _e5113);
 let _e5134 = select(select(select(select(select(select(1f, _e4780.member_2, _e4913), _e4780.member_2, _e4953), _e4851.member_2, _e4993), _e4851.member_2, _e5033), _e4859.member_2, _e5073), _e4859.member_2, _e5113);
 if _e3564 {
-phi_12025_ = type_39(_e5119, vec3<f32>(_e5120, _e5121, _e5122), _e5124, vec3<f32>(_e5125, _e5126, _e5127), _e5129, _e5131, vec3<f32>(_e5132, _e5133, _e5134));
+phi_12032_ = type_39(_e5119, vec3<f32>(_e5120, _e5121, _e5122), _e5124, vec3<f32>(_e5125, _e5126, _e5127), _e5129, _e5131, vec3<f32>(_e5132, _e5133, _e5134));
 } else {
 let _e5140 = global_1.member.member_16.member_1;
 let _e5141 = (_e5140 != 0u);
@@ -2209,26 +2209,26 @@ let _e5420 = select(2f, select(0f, _e5412, (_e5393 < 0f)), (_e5394 > 0f));
 let _e5421 = (_e5393 > _e5359);
 let _e5425 = ((_e5416 > _e5351) || ((_e5416 == _e5351) && _e5421));
 let _e5426 = (_e5420 < _e5355);
-phi_12025_ = type_39(select(_e5351, _e5416, _e5425), vec3<f32>(select(select(select(select(_e5120, _e5171.member, _e5197), _e5247.member, _e5273), _e5323.member, _e5349), _e5399.member, _e5425), select(select(select(select(_e5121, _e5171.member_1, _e5197), _e5247.member_1, _e5273), _e5323.member_1, _e5349), _e5399.member_1, _e5425), select(select(select(select(_e5122, _e5171.member_2, _e5197), _e5247.member_2, _e5273), _e5323.member_2, _e5349), _e5399.member_2, _e5425)), select(_e5355, _e5420, _e5426), vec3<f32>(select(select(select(select(_e5125, _e5171.member, _e5198), _e5247.member, _e5274), _e5323.member, _e5350), _e5399.member, _e5426), select(select(select(select(_e5126, _e5171.member_1, _e5198), _e5247.member_1, _e5274), _e5323.member_1, _e5350), _e5399.member_1, _e5426), select(select(select(select(_e5127, _e5171.member_2, _e5198), _e5247.member_2, _e5274), _e5323.member_2, _e5350), _e5399.member_2, _e5426)), select(_e5359, _e5393, _e5421), select(_e5361, _e5394, (_e5394 > _e5361)), vec3<f32>(select(select(select(select(_e5132, _e5171.member, _e5193), _e5247.member, _e5269), _e5323.member, _e5345), _e5399.member, _e5421), select(select(select(select(_e5133, _e5171.member_1, _e5193), _e5247.member_1, _e5269), _e5323.member_1, _e5345), _e5399.member_1, _e5421), select(select(select(select(_e5134, _e5171.member_2, _e5193), _e5247.member_2, _e5269), _e5323.member_2, _e5345), _e5399.member_2, _e5421)));
+phi_12032_ = type_39(select(_e5351, _e5416, _e5425), vec3<f32>(select(select(select(select(_e5120, _e5171.member, _e5197), _e5247.member, _e5273), _e5323.member, _e5349), _e5399.member, _e5425), select(select(select(select(_e5121, _e5171.member_1, _e5197), _e5247.member_1, _e5273), _e5323.member_1, _e5349), _e5399.member_1, _e5425), select(select(select(select(_e5122, _e5171.member_2, _e5197), _e5247.member_2, _e5273), _e5323.member_2, _e5349), _e5399.member_2, _e5425)), select(_e5355, _e5420, _e5426), vec3<f32>(select(select(select(select(_e5125, _e5171.member, _e5198), _e5247.member, _e5274), _e5323.member, _e5350), _e5399.member, _e5426), select(select(select(select(_e5126, _e5171.member_1, _e5198), _e5247.member_1, _e5274), _e5323.member_1, _e5350), _e5399.member_1, _e5426), select(select(select(select(_e5127, _e5171.member_2, _e5198), _e5247.member_2, _e5274), _e5323.member_2, _e5350), _e5399.member_2, _e5426)), select(_e5359, _e5393, _e5421), select(_e5361, _e5394, (_e5394 > _e5361)), vec3<f32>(select(select(select(select(_e5132, _e5171.member, _e5193), _e5247.member, _e5269), _e5323.member, _e5345), _e5399.member, _e5421), select(select(select(select(_e5133, _e5171.member_1, _e5193), _e5247.member_1, _e5269), _e5323.member_1, _e5345), _e5399.member_1, _e5421), select(select(select(select(_e5134, _e5171.member_2, _e5193), _e5247.member_2, _e5269), _e5323.member_2, _e5345), _e5399.member_2, _e5421)));
 }
-let _e5446 = phi_12025_;
+let _e5446 = phi_12032_;
 if _e4712 {
-phi_12037_ = (_e5446.member_2 <= 1f);
+phi_12044_ = (_e5446.member_2 <= 1f);
 } else {
-phi_12037_ = ((_e5446.member <= 1f) && (_e5446.member < _e5446.member_2));
+phi_12044_ = ((_e5446.member <= 1f) && (_e5446.member < _e5446.member_2));
 }
-let _e5454 = phi_12037_;
+let _e5454 = phi_12044_;
 if (!(_e4712) && !(_e5454)) {
-phi_42574_ = type_34(_e4699.member, _e4699.member_1, _e4699.member_2, 3f, _e4699.member_4, _e4699.member_5, _e4699.member_6, _e4699.member_7, _e4699.member_8, _e4699.member_9, _e4699.member_10, _e4699.member_11, _e4699.member_12);
-phi_42575_ = _e4701;
-phi_42577_ = _e4703;
+phi_42595_ = type_34(_e4699.member, _e4699.member_1, _e4699.member_2, 3f, _e4699.member_4, _e4699.member_5, _e4699.member_6, _e4699.member_7, _e4699.member_8, _e4699.member_9, _e4699.member_10, _e4699.member_11, _e4699.member_12);
+phi_42596_ = _e4701;
+phi_42599_ = _e4703;
 } else {
 if _e4712 {
-phi_12052_ = _e5446.member_3;
+phi_12059_ = _e5446.member_3;
 } else {
-phi_12052_ = _e5446.member_1;
+phi_12059_ = _e5446.member_1;
 }
-let _e5461 = phi_12052_;
+let _e5461 = phi_12059_;
 let _e5462 = select(_e5446.member, _e5446.member_2, _e4712);
 let _e5466 = select(1f, _e5462, _e5454);
 let _e5470 = (_e4699.member.x + ((_e4806 - _e4699.member.x) * _e5466));
@@ -2254,7 +2254,7 @@ let _e5556 = global_1.member.member_15.member.member_1;
 let _e5563 = select(_e5551.member, _e5540.member, _e5534);
 let _e5564 = select(_e5551.member_1, _e5540.member_1, _e5534);
 let _e5565 = select(_e5551.member_2, _e5540.member_2, _e5534);
-let _e5575 = (_e5497 || _e5526);
+let _e5576 = (_e5497 || _e5526);
 let _e5582 = ((((_e577.member.member * _e5470) + (_e577.member.member_1 * _e5471)) + (_e577.member.member_2 * _e5472)) + _e577.member_1);
 let _e5588 = ((((_e592.member.member * _e5470) + (_e592.member.member_1 * _e5471)) + (_e592.member.member_2 * _e5472)) + _e592.member_1);
 let _e5594 = ((((_e607.member.member * _e5470) + (_e607.member.member_1 * _e5471)) + (_e607.member.member_2 * _e5472)) + _e607.member_1);
@@ -2267,7 +2267,7 @@ let _e6764 = select(_e4877, _e5594, (_e5594 > _e4877));
 let _e6766 = select(_e4892, _e6764, (_e6764 < _e4892));
 let _e6771 = global_1.member.member_8.member_15;
 if (_e6771 == 0u) {
-phi_12412_ = vec3<f32>(_e6758, _e6762, _e6766);
+phi_12419_ = vec3<f32>(_e6758, _e6762, _e6766);
 } else {
 let _e6773 = (_e6758 + 0.5f);
 let _e6774 = (_e4762 - 1f);
@@ -2284,9 +2284,9 @@ let _e6810 = (_e4772 - 1f);
 let _e6812 = select(0f, _e6809, (_e6809 > 0f));
 let _e6814 = select(_e6810, _e6812, (_e6812 < _e6810));
 let _e6821 = select(0i, select(select(i32(_e6814), i32(-2147483648), (_e6814 < -2147483600f)), 2147483647i, (_e6814 > 2147483500f)), (_e6814 == _e6814));
-phi_12412_ = vec3<f32>(f32((_e6785 - select(0i, 1i, (_e6778 < f32(_e6785))))), f32((_e6803 - select(0i, 1i, (_e6796 < f32(_e6803))))), f32((_e6821 - select(0i, 1i, (_e6814 < f32(_e6821))))));
+phi_12419_ = vec3<f32>(f32((_e6785 - select(0i, 1i, (_e6778 < f32(_e6785))))), f32((_e6803 - select(0i, 1i, (_e6796 < f32(_e6803))))), f32((_e6821 - select(0i, 1i, (_e6814 < f32(_e6821))))));
 }
-let _e6829 = phi_12412_;
+let _e6829 = phi_12419_;
 let _e6832 = select(-1f, _e6829.x, (_e6829.x > -1f));
 let _e6834 = select(_e4762, _e6832, (_e6832 < _e4762));
 let _e6841 = select(0i, select(select(i32(_e6834), i32(-2147483648), (_e6834 < -2147483600f)), 2147483647i, (_e6834 > 2147483500f)), (_e6834 == _e6834));
@@ -2653,7 +2653,7 @@ if _e626 {
 let _e8194 = ((0.5f * (_e7485 - _e7479)) * _e7743);
 let _e8195 = ((0.5f * (_e7497 - _e7491)) * _e7743);
 let _e8196 = ((0.5f * (_e7509 - _e7503)) * _e7743);
-phi_17605_ = type_36(_e7705, vec3<f32>(_e8194, _e8195, _e8196), vec3<f32>((_e8194 * _e7705), (_e8195 * _e7705), (_e8196 * _e7705)));
+phi_17612_ = type_36(_e7705, vec3<f32>(_e8194, _e8195, _e8196), vec3<f32>((_e8194 * _e7705), (_e8195 * _e7705), (_e8196 * _e7705)));
 } else {
 local_35 = _e7479;
 let _e7744 = local_35;
@@ -2802,9 +2802,9 @@ let _e8169 = ((_e7690 + (f32(bitcast<i32>((_e8154 >> bitcast<u32>(12u)))) * _e76
 let _e8170 = (_e7885 - _e7814);
 let _e8172 = (_e8027 - _e7956);
 let _e8174 = (_e8169 - _e8098);
-phi_17605_ = type_36(_e7705, vec3<f32>((0.5f * _e8170), (0.5f * _e8172), (0.5f * _e8174)), vec3<f32>((0.25f * (_e8170 * (_e7885 + _e7814))), (0.25f * (_e8172 * (_e8027 + _e7956))), (0.25f * (_e8174 * (_e8169 + _e8098)))));
+phi_17612_ = type_36(_e7705, vec3<f32>((0.5f * _e8170), (0.5f * _e8172), (0.5f * _e8174)), vec3<f32>((0.25f * (_e8170 * (_e7885 + _e7814))), (0.25f * (_e8172 * (_e8027 + _e7956))), (0.25f * (_e8174 * (_e8169 + _e8098)))));
 }
-let _e8204 = phi_17605_;
+let _e8204 = phi_17612_;
 let _e8219 = select(0f, 1f, ((((((_e5582 >= _e4867) && (_e5582 <= _e4882)) && (_e5588 >= _e4872)) && (_e5588 <= _e4887)) && (_e5594 >= _e4877)) && (_e5594 <= _e4892)));
 let _e8221 = (0.5f * (_e7485 - _e7479));
 let _e8223 = (0.5f * (_e7497 - _e7491));
@@ -2821,7 +2821,7 @@ let _e8279 = global_1.member.member_8.member_2.member.member_2;
 let _e8284 = (((_e8231 * _e8221) + (_e8249 * _e8223)) + (_e8267 * _e8225));
 let _e8289 = (((_e8237 * _e8221) + (_e8255 * _e8223)) + (_e8273 * _e8225));
 let _e8294 = (((_e8243 * _e8221) + (_e8261 * _e8223)) + (_e8279 * _e8225));
-phi_19743_ = type_37(_e7473, vec3<f32>((_e8284 * _e8219), (_e8289 * _e8219), (_e8294 * _e8219)), vec3<f32>(_e8284, _e8289, _e8294), _e8204.member, vec3<f32>(((((_e8231 * _e8204.member_2.x) + (_e8249 * _e8204.member_2.y)) + (_e8267 * _e8204.member_2.z)) * _e8219), ((((_e8237 * _e8204.member_2.x) + (_e8255 * _e8204.member_2.y)) + (_e8273 * _e8204.member_2.z)) * _e8219), ((((_e8243 * _e8204.member_2.x) + (_e8261 * _e8204.member_2.y)) + (_e8279 * _e8204.member_2.z)) * _e8219)), vec3<f32>(((((_e8231 * _e8204.member_1.x) + (_e8249 * _e8204.member_1.y)) + (_e8267 * _e8204.member_1.z)) * _e8219), ((((_e8237 * _e8204.member_1.x) + (_e8255 * _e8204.member_1.y)) + (_e8273 * _e8204.member_1.z)) * _e8219), ((((_e8243 * _e8204.member_1.x) + (_e8261 * _e8204.member_1.y)) + (_e8279 * _e8204.member_1.z)) * _e8219)));
+phi_19750_ = type_37(_e7473, vec3<f32>((_e8284 * _e8219), (_e8289 * _e8219), (_e8294 * _e8219)), vec3<f32>(_e8284, _e8289, _e8294), _e8204.member, vec3<f32>(((((_e8231 * _e8204.member_2.x) + (_e8249 * _e8204.member_2.y)) + (_e8267 * _e8204.member_2.z)) * _e8219), ((((_e8237 * _e8204.member_2.x) + (_e8255 * _e8204.member_2.y)) + (_e8273 * _e8204.member_2.z)) * _e8219), ((((_e8243 * _e8204.member_2.x) + (_e8261 * _e8204.member_2.y)) + (_e8279 * _e8204.member_2.z)) * _e8219)), vec3<f32>(((((_e8231 * _e8204.member_1.x) + (_e8249 * _e8204.member_1.y)) + (_e8267 * _e8204.member_1.z)) * _e8219), ((((_e8237 * _e8204.member_1.x) + (_e8255 * _e8204.member_1.y)) + (_e8273 * _e8204.member_1.z)) * _e8219), ((((_e8243 * _e8204.member_1.x) + (_e8261 * _e8204.member_1.y)) + (_e8279 * _e8204.member_1.z)) * _e8219)));
 } else {
 if (_e278.member_2 == 8u) {
 let _e5920 = select(_e4867, _e5582, (_e5582 > _e4867));
@@ -2832,7 +2832,7 @@ let _e5928 = select(_e4877, _e5594, (_e5594 > _e4877));
 let _e5930 = select(_e4892, _e5928, (_e5928 < _e4892));
 let _e5935 = global_1.member.member_8.member_15;
 if (_e5935 == 0u) {
-phi_17952_ = vec3<f32>(_e5922, _e5926, _e5930);
+phi_17959_ = vec3<f32>(_e5922, _e5926, _e5930);
 } else {
 let _e5937 = (_e5922 + 0.5f);
 let _e5938 = (_e4762 - 1f);
@@ -2849,9 +2849,9 @@ let _e5974 = (_e4772 - 1f);
 let _e5976 = select(0f, _e5973, (_e5973 > 0f));
 let _e5978 = select(_e5974, _e5976, (_e5976 < _e5974));
 let _e5985 = select(0i, select(select(i32(_e5978), i32(-2147483648), (_e5978 < -2147483600f)), 2147483647i, (_e5978 > 2147483500f)), (_e5978 == _e5978));
-phi_17952_ = vec3<f32>(f32((_e5949 - select(0i, 1i, (_e5942 < f32(_e5949))))), f32((_e5967 - select(0i, 1i, (_e5960 < f32(_e5967))))), f32((_e5985 - select(0i, 1i, (_e5978 < f32(_e5985))))));
+phi_17959_ = vec3<f32>(f32((_e5949 - select(0i, 1i, (_e5942 < f32(_e5949))))), f32((_e5967 - select(0i, 1i, (_e5960 < f32(_e5967))))), f32((_e5985 - select(0i, 1i, (_e5978 < f32(_e5985))))));
 }
-let _e5993 = phi_17952_;
+let _e5993 = phi_17959_;
 let _e5996 = select(-1f, _e5993.x, (_e5993.x > -1f));
 let _e5998 = select(_e4762, _e5996, (_e5996 < _e4762));
 let _e6005 = select(0i, select(select(i32(_e5998), i32(-2147483648), (_e5998 < -2147483600f)), 2147483647i, (_e5998 > 2147483500f)), (_e5998 == _e5998));
@@ -3136,8 +3136,8 @@ let _e6715 = global_1.member.member_8.member_1.member.member_2;
 let _e6721 = global_1.member.member_8.member_2.member.member;
 let _e6727 = global_1.member.member_8.member_2.member.member_1;
 let _e6733 = global_1.member.member_8.member_2.member.member_2;
-phi_19740_ = select(1e9f, _e6635, (_e6635 < 1e9f));
-phi_19741_ = vec3<f32>((((_e6685 * _e6675) + (_e6703 * _e6677)) + (_e6721 * _e6679)), (((_e6691 * _e6675) + (_e6709 * _e6677)) + (_e6727 * _e6679)), (((_e6697 * _e6675) + (_e6715 * _e6677)) + (_e6733 * _e6679)));
+phi_19747_ = select(1e9f, _e6635, (_e6635 < 1e9f));
+phi_19748_ = vec3<f32>((((_e6685 * _e6675) + (_e6703 * _e6677)) + (_e6721 * _e6679)), (((_e6691 * _e6675) + (_e6709 * _e6677)) + (_e6727 * _e6679)), (((_e6697 * _e6675) + (_e6715 * _e6677)) + (_e6733 * _e6679)));
 } else {
 let _e5597 = select(_e4867, _e5582, (_e5582 > _e4867));
 let _e5599 = select(_e4882, _e5597, (_e5597 < _e4882));
@@ -3147,7 +3147,7 @@ let _e5605 = select(_e4877, _e5594, (_e5594 > _e4877));
 let _e5607 = select(_e4892, _e5605, (_e5605 < _e4892));
 let _e5612 = global_1.member.member_8.member_15;
 if (_e5612 == 0u) {
-phi_19327_ = vec3<f32>(_e5599, _e5603, _e5607);
+phi_19334_ = vec3<f32>(_e5599, _e5603, _e5607);
 } else {
 let _e5614 = (_e5599 + 0.5f);
 let _e5615 = (_e4762 - 1f);
@@ -3164,9 +3164,9 @@ let _e5651 = (_e4772 - 1f);
 let _e5653 = select(0f, _e5650, (_e5650 > 0f));
 let _e5655 = select(_e5651, _e5653, (_e5653 < _e5651));
 let _e5662 = select(0i, select(select(i32(_e5655), i32(-2147483648), (_e5655 < -2147483600f)), 2147483647i, (_e5655 > 2147483500f)), (_e5655 == _e5655));
-phi_19327_ = vec3<f32>(f32((_e5626 - select(0i, 1i, (_e5619 < f32(_e5626))))), f32((_e5644 - select(0i, 1i, (_e5637 < f32(_e5644))))), f32((_e5662 - select(0i, 1i, (_e5655 < f32(_e5662))))));
+phi_19334_ = vec3<f32>(f32((_e5626 - select(0i, 1i, (_e5619 < f32(_e5626))))), f32((_e5644 - select(0i, 1i, (_e5637 < f32(_e5644))))), f32((_e5662 - select(0i, 1i, (_e5655 < f32(_e5662))))));
 }
-let _e5670 = phi_19327_;
+let _e5670 = phi_19334_;
 let _e5673 = select(-1f, _e5670.x, (_e5670.x > -1f));
 let _e5675 = select(_e4762, _e5673, (_e5673 < _e4762));
 let _e5682 = select(0i, select(select(i32(_e5675), i32(-2147483648), (_e5675 < -2147483600f)), 2147483647i, (_e5675 > 2147483500f)), (_e5675 == _e5675));
@@ -3251,16 +3251,16 @@ let _e5911 = global_1.member.member_8.member_7;
 let _e5913 = (((_e5844 + (((_e5869 + (((_e5880 + ((bitcast<f32>(_e5889) - _e5880) * _e5891)) - _e5869) * _e5895)) - _e5844) * _e5900)) - _e5907) * _e5911);
 let _e5914 = -(1e9f);
 let _e5916 = select(_e5914, _e5913, (_e5913 > _e5914));
-phi_19740_ = select(1e9f, _e5916, (_e5916 < 1e9f));
-phi_19741_ = vec3<f32>(0f, 0f, 0f);
+phi_19747_ = select(1e9f, _e5916, (_e5916 < 1e9f));
+phi_19748_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e6751 = phi_19740_;
-let _e6753 = phi_19741_;
-phi_19743_ = type_37(_e6751, vec3<f32>(0f, 0f, 0f), _e6753, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e6751 = phi_19747_;
+let _e6753 = phi_19748_;
+phi_19750_ = type_37(_e6751, vec3<f32>(0f, 0f, 0f), _e6753, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8346 = phi_19743_;
+let _e8346 = phi_19750_;
 if _e3564 {
-phi_20268_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_20275_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e8350 = global_1.member.member_16.member;
 let _e8361 = ((((_e8350.member.member * _e4699.member.x) + (_e8350.member.member_1 * _e4699.member.y)) + (_e8350.member.member_2 * _e4699.member.z)) + _e8350.member_1);
@@ -3334,9 +3334,9 @@ let _e8568 = global_1.member.member_19.member_1;
 let _e8569 = (_e8568 != 0u);
 let _e8574 = select(0f, _e8562, _e8569);
 let _e8575 = select(1f, _e8564, _e8569);
-phi_20268_ = type_38(type_35(select(_e8562, _e8512, (_e8512 > _e8562)), select(_e8564, _e8514, (_e8514 < _e8564))), type_35(select(_e8574, _e8518, (_e8518 > _e8574)), select(_e8575, _e8520, (_e8520 < _e8575))), ((((1f * select(1f, 0f, (_e8392 && _e8383))) * select(1f, 0f, (_e8451 && _e8442))) * select(1f, 0f, (_e8510 && _e8501))) * select(1f, 0f, (_e8569 && _e8560))));
+phi_20275_ = type_38(type_35(select(_e8562, _e8512, (_e8512 > _e8562)), select(_e8564, _e8514, (_e8514 < _e8564))), type_35(select(_e8574, _e8518, (_e8518 > _e8574)), select(_e8575, _e8520, (_e8520 < _e8575))), ((((1f * select(1f, 0f, (_e8392 && _e8383))) * select(1f, 0f, (_e8451 && _e8442))) * select(1f, 0f, (_e8510 && _e8501))) * select(1f, 0f, (_e8569 && _e8560))));
 }
-let _e8587 = phi_20268_;
+let _e8587 = phi_20275_;
 let _e8590 = (select(0f, (_e5462 - 0.5f), _e5454) * _e4794);
 let _e8594 = (_e4799 + (_e4718 * _e8590));
 let _e8595 = (_e4800 + (_e4720 * _e8590));
@@ -3350,7 +3350,7 @@ let _e8608 = select(_e4892, _e8606, (_e8606 < _e4892));
 let _e8613 = global_1.member.member_8.member_15;
 let _e8614 = (_e8613 == 0u);
 if _e8614 {
-phi_20464_ = vec3<f32>(_e8600, _e8604, _e8608);
+phi_20471_ = vec3<f32>(_e8600, _e8604, _e8608);
 } else {
 let _e8615 = (_e8600 + 0.5f);
 let _e8616 = (_e4762 - 1f);
@@ -3367,9 +3367,9 @@ let _e8652 = (_e4772 - 1f);
 let _e8654 = select(0f, _e8651, (_e8651 > 0f));
 let _e8656 = select(_e8652, _e8654, (_e8654 < _e8652));
 let _e8663 = select(0i, select(select(i32(_e8656), i32(-2147483648), (_e8656 < -2147483600f)), 2147483647i, (_e8656 > 2147483500f)), (_e8656 == _e8656));
-phi_20464_ = vec3<f32>(f32((_e8627 - select(0i, 1i, (_e8620 < f32(_e8627))))), f32((_e8645 - select(0i, 1i, (_e8638 < f32(_e8645))))), f32((_e8663 - select(0i, 1i, (_e8656 < f32(_e8663))))));
+phi_20471_ = vec3<f32>(f32((_e8627 - select(0i, 1i, (_e8620 < f32(_e8627))))), f32((_e8645 - select(0i, 1i, (_e8638 < f32(_e8645))))), f32((_e8663 - select(0i, 1i, (_e8656 < f32(_e8663))))));
 }
-let _e8671 = phi_20464_;
+let _e8671 = phi_20471_;
 let _e8674 = select(-1f, _e8671.x, (_e8671.x > -1f));
 let _e8676 = select(_e4762, _e8674, (_e8674 < _e4762));
 let _e8683 = select(0i, select(select(i32(_e8676), i32(-2147483648), (_e8676 < -2147483600f)), 2147483647i, (_e8676 > 2147483500f)), (_e8676 == _e8676));
@@ -3531,7 +3531,7 @@ let _e9155 = (_e9120 == 0f);
 let _e9172 = (_e4795 * _e8587.member_2);
 let _e9189 = (_e8613 != 0u);
 let _e9190 = select(select(_e8346.member, _e4699.member_2, _e4712), _e8346.member, _e9189);
-let _e9191 = select(1f, select(_e5501, _e5530, _e5534), _e5575);
+let _e9191 = select(1f, select(_e5501, _e5530, _e5534), _e5576);
 let _e9192 = (_e5582 - _e4816);
 let _e9196 = (bitcast<f32>((bitcast<u32>(_e9192) & 2147483647u)) < 1e-12f);
 let _e9198 = (1f / select(_e9192, 1f, _e9196));
@@ -3962,19 +3962,19 @@ let _e10824 = (((1f - _e10812) + (_e10758 * select(0f, _e10814, (_e10814 > 0f)))
 let _e10834 = (_e10759 > 0f);
 let _e10836 = (1f - _e10821);
 let _e10845 = (_e10820 / select(1e-12f, _e10836, (_e10836 > 1e-12f)));
-phi_25215_ = type_43(select(_e10536, _e10821, _e10834), select(_e10537, _e10836, _e10834), _e10486, vec3<f32>(select(_e10545, ((_e10545 * _e10824) + (_e10719 * _e10820)), _e10834), select(_e10547, ((_e10547 * _e10824) + (_e10729 * _e10820)), _e10834), select(_e10549, ((_e10549 * _e10824) + (_e10739 * _e10820)), _e10834)));
-phi_25216_ = type_41(_e10758, _e10759, vec3<f32>(_e10719, _e10729, _e10739), _e10761);
-phi_25217_ = select(0f, select(1f, _e10845, (_e10845 < 1f)), _e10834);
+phi_25222_ = type_43(select(_e10536, _e10821, _e10834), select(_e10537, _e10836, _e10834), _e10486, vec3<f32>(select(_e10545, ((_e10545 * _e10824) + (_e10719 * _e10820)), _e10834), select(_e10547, ((_e10547 * _e10824) + (_e10729 * _e10820)), _e10834), select(_e10549, ((_e10549 * _e10824) + (_e10739 * _e10820)), _e10834)));
+phi_25223_ = type_41(_e10758, _e10759, vec3<f32>(_e10719, _e10729, _e10739), _e10761);
+phi_25224_ = select(0f, select(1f, _e10845, (_e10845 < 1f)), _e10834);
 } else {
-phi_25215_ = type_43(_e10536, _e10537, _e10486, (_e10543 * _e10541));
-phi_25216_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_25217_ = 0f;
+phi_25222_ = type_43(_e10536, _e10537, _e10486, (_e10543 * _e10541));
+phi_25223_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_25224_ = 0f;
 }
-let _e10850 = phi_25215_;
-let _e10852 = phi_25216_;
-let _e10854 = phi_25217_;
+let _e10850 = phi_25222_;
+let _e10852 = phi_25223_;
+let _e10854 = phi_25224_;
 if (_e622 || _e625) {
-phi_40961_ = _e4697;
+phi_40974_ = _e4697;
 } else {
 let _e10857 = select(_e9279, _e8587.member.member, (_e8587.member.member > _e9279));
 let _e10865 = (_e4699.member + vec3<f32>((_e9284 * _e9191), (_e9285 * _e9191), (_e9286 * _e9191)));
@@ -4023,23 +4023,23 @@ let _e11040 = local_61.member;
 let _e11043 = (((2f * _e11040) * _e11039) * _e9303);
 let _e11047 = (_e10852.member_1 > 0f);
 let _e11048 = select(select(select(1f, _e11043, (_e11043 < 1f)), 0f, _e9189), 1f, _e11047);
-let _e11049 = (_e11039 * _e11048);
-let _e11050 = global_1.member.member_12.member_19;
-let _e11054 = (((((_e10974.member.member * _e10966) + (_e10974.member.member_1 * _e10967)) + (_e10974.member.member_2 * _e10968)) + _e10974.member_1) - _e11050.member);
-let _e11055 = (((((_e10989.member.member * _e10966) + (_e10989.member.member_1 * _e10967)) + (_e10989.member.member_2 * _e10968)) + _e10989.member_1) - _e11050.member_1);
-let _e11056 = (_e11015 - _e11050.member_2);
-let _e11061 = (((_e11054 * _e11054) + (_e11055 * _e11055)) + (_e11056 * _e11056));
-let _e11064 = sqrt(select(0f, _e11061, (_e11061 > 0f)));
-let _e11067 = (1f / select(1e-20f, _e11064, (_e11064 > 1e-20f)));
-let _e11071 = select(0f, (_e11054 * _e11067), _e11025);
-let _e11072 = select(0f, (_e11055 * _e11067), _e11025);
-let _e11073 = select(1f, (_e11056 * _e11067), _e11025);
-let _e11078 = global_1.member.member_12.member.member;
-let _e11089 = global_1.member.member_12.member_1.member;
-let _e11103 = global_1.member.member_12.member_2.member;
-let _e11116 = (_e10966 - ((((_e11078.member * _e11071) + (_e11089.member * _e11072)) + (_e11103.member * _e11073)) * _e11049));
-let _e11117 = (_e10967 - ((((_e11078.member_1 * _e11071) + (_e11089.member_1 * _e11072)) + (_e11103.member_1 * _e11073)) * _e11049));
-let _e11118 = (_e10968 - ((((_e11078.member_2 * _e11071) + (_e11089.member_2 * _e11072)) + (_e11103.member_2 * _e11073)) * _e11049));
+let _e11049 = global_1.member.member_12.member_19;
+let _e11053 = (((((_e10974.member.member * _e10966) + (_e10974.member.member_1 * _e10967)) + (_e10974.member.member_2 * _e10968)) + _e10974.member_1) - _e11049.member);
+let _e11054 = (((((_e10989.member.member * _e10966) + (_e10989.member.member_1 * _e10967)) + (_e10989.member.member_2 * _e10968)) + _e10989.member_1) - _e11049.member_1);
+let _e11055 = (_e11015 - _e11049.member_2);
+let _e11060 = (((_e11053 * _e11053) + (_e11054 * _e11054)) + (_e11055 * _e11055));
+let _e11063 = sqrt(select(0f, _e11060, (_e11060 > 0f)));
+let _e11066 = (1f / select(1e-20f, _e11063, (_e11063 > 1e-20f)));
+let _e11070 = select(0f, (_e11053 * _e11066), _e11025);
+let _e11071 = select(0f, (_e11054 * _e11066), _e11025);
+let _e11072 = select(1f, (_e11055 * _e11066), _e11025);
+let _e11077 = global_1.member.member_12.member.member;
+let _e11088 = global_1.member.member_12.member_1.member;
+let _e11102 = global_1.member.member_12.member_2.member;
+let _e11112 = (_e11039 * _e11048);
+let _e11116 = (_e10966 - ((((_e11077.member * _e11070) + (_e11088.member * _e11071)) + (_e11102.member * _e11072)) * _e11112));
+let _e11117 = (_e10967 - ((((_e11077.member_1 * _e11070) + (_e11088.member_1 * _e11071)) + (_e11102.member_1 * _e11072)) * _e11112));
+let _e11118 = (_e10968 - ((((_e11077.member_2 * _e11070) + (_e11088.member_2 * _e11071)) + (_e11102.member_2 * _e11072)) * _e11112));
 let _e11124 = ((((_e577.member.member * _e11116) + (_e577.member.member_1 * _e11117)) + (_e577.member.member_2 * _e11118)) + _e577.member_1);
 let _e11130 = ((((_e592.member.member * _e11116) + (_e592.member.member_1 * _e11117)) + (_e592.member.member_2 * _e11118)) + _e592.member_1);
 let _e11136 = ((((_e607.member.member * _e11116) + (_e607.member.member_1 * _e11117)) + (_e607.member.member_2 * _e11118)) + _e607.member_1);
@@ -4050,7 +4050,7 @@ let _e11144 = select(_e4887, _e11142, (_e11142 < _e4887));
 let _e11146 = select(_e4877, _e11136, (_e11136 > _e4877));
 let _e11148 = select(_e4892, _e11146, (_e11146 < _e4892));
 if _e8614 {
-phi_25805_ = vec3<f32>(_e11140, _e11144, _e11148);
+phi_25818_ = vec3<f32>(_e11140, _e11144, _e11148);
 } else {
 let _e11150 = (_e11140 + 0.5f);
 let _e11151 = (_e4762 - 1f);
@@ -4067,9 +4067,9 @@ let _e11187 = (_e4772 - 1f);
 let _e11189 = select(0f, _e11186, (_e11186 > 0f));
 let _e11191 = select(_e11187, _e11189, (_e11189 < _e11187));
 let _e11198 = select(0i, select(select(i32(_e11191), i32(-2147483648), (_e11191 < -2147483600f)), 2147483647i, (_e11191 > 2147483500f)), (_e11191 == _e11191));
-phi_25805_ = vec3<f32>(f32((_e11162 - select(0i, 1i, (_e11155 < f32(_e11162))))), f32((_e11180 - select(0i, 1i, (_e11173 < f32(_e11180))))), f32((_e11198 - select(0i, 1i, (_e11191 < f32(_e11198))))));
+phi_25818_ = vec3<f32>(f32((_e11162 - select(0i, 1i, (_e11155 < f32(_e11162))))), f32((_e11180 - select(0i, 1i, (_e11173 < f32(_e11180))))), f32((_e11198 - select(0i, 1i, (_e11191 < f32(_e11198))))));
 }
-let _e11206 = phi_25805_;
+let _e11206 = phi_25818_;
 let _e11209 = select(-1f, _e11206.x, (_e11206.x > -1f));
 let _e11211 = select(_e4762, _e11209, (_e11209 < _e4762));
 let _e11218 = select(0i, select(select(i32(_e11211), i32(-2147483648), (_e11211 < -2147483600f)), 2147483647i, (_e11211 > 2147483500f)), (_e11211 == _e11211));
@@ -4146,9 +4146,9 @@ let _e11402 = local_13[2u];
 let _e11407 = (((_e11346 + (((_e11371 + (((_e11382 + ((bitcast<f32>(_e11391) - _e11382) * _e11393)) - _e11371) * _e11397)) - _e11346) * _e11402)) - _e8908) * _e8912);
 let _e11409 = select(_e8915, _e11407, (_e11407 > _e8915));
 let _e11411 = select(1e9f, _e11409, (_e11409 < 1e9f));
-let _e11412 = (_e11049 * _e9303);
+let _e11412 = (_e11112 * _e9303);
 if _e3564 {
-phi_26734_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_26747_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e11416 = global_1.member.member_16.member;
 let _e11427 = ((((_e11416.member.member * _e11116) + (_e11416.member.member_1 * _e11117)) + (_e11416.member.member_2 * _e11118)) + _e11416.member_1);
@@ -4222,9 +4222,9 @@ let _e11634 = global_1.member.member_19.member_1;
 let _e11635 = (_e11634 != 0u);
 let _e11640 = select(0f, _e11628, _e11635);
 let _e11641 = select(1f, _e11630, _e11635);
-phi_26734_ = type_38(type_35(select(_e11628, _e11578, (_e11578 > _e11628)), select(_e11630, _e11580, (_e11580 < _e11630))), type_35(select(_e11640, _e11584, (_e11584 > _e11640)), select(_e11641, _e11586, (_e11586 < _e11641))), ((((1f * select(1f, 0f, (_e11458 && _e11449))) * select(1f, 0f, (_e11517 && _e11508))) * select(1f, 0f, (_e11576 && _e11567))) * select(1f, 0f, (_e11635 && _e11626))));
+phi_26747_ = type_38(type_35(select(_e11628, _e11578, (_e11578 > _e11628)), select(_e11630, _e11580, (_e11580 < _e11630))), type_35(select(_e11640, _e11584, (_e11584 > _e11640)), select(_e11641, _e11586, (_e11586 < _e11641))), ((((1f * select(1f, 0f, (_e11458 && _e11449))) * select(1f, 0f, (_e11517 && _e11508))) * select(1f, 0f, (_e11576 && _e11567))) * select(1f, 0f, (_e11635 && _e11626))));
 }
-let _e11653 = phi_26734_;
+let _e11653 = phi_26747_;
 let _e11659 = ((((_e577.member.member * _e10966) + (_e577.member.member_1 * _e10967)) + (_e577.member.member_2 * _e10968)) + _e577.member_1);
 let _e11665 = ((((_e592.member.member * _e10966) + (_e592.member.member_1 * _e10967)) + (_e592.member.member_2 * _e10968)) + _e592.member_1);
 let _e11671 = ((((_e607.member.member * _e10966) + (_e607.member.member_1 * _e10967)) + (_e607.member.member_2 * _e10968)) + _e607.member_1);
@@ -4357,7 +4357,7 @@ let _e12498 = global_3.member[bitcast<u32>(select(0i, _e12493, (_e12493 > 0i)))]
 let _e12508 = (_e12460 + (((bitcast<f32>((((_e12468 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12460) * _e12443));
 let _e12516 = global_3.member[_e9963];
 let _e12525 = global_3.member[_e9983];
-phi_30409_ = type_42((((_e12508 + (((_e12490 + (((bitcast<f32>((((_e12498 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12490) * _e12443)) - _e12508) * (_e12318 - f32(_e12396)))) * (1f - (_e12430 + _e12436))) + (((bitcast<f32>((((_e12516 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12430) + ((bitcast<f32>((((_e12525 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12436))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_30422_ = type_42((((_e12508 + (((_e12490 + (((bitcast<f32>((((_e12498 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12490) * _e12443)) - _e12508) * (_e12318 - f32(_e12396)))) * (1f - (_e12430 + _e12436))) + (((bitcast<f32>((((_e12516 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12430) + ((bitcast<f32>((((_e12525 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12436))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e11411;
 let _e11793 = local_9;
@@ -4470,9 +4470,9 @@ let _e12200 = (_e12130 + (((bitcast<f32>(((_e12145 & 32767u) << bitcast<u32>(13i
 let _e12209 = (_e12137 + (((bitcast<f32>((((_e12145 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12137) * _e11980));
 let _e12217 = global_3.member[_e9963];
 let _e12231 = global_3.member[_e9983];
-phi_30409_ = type_42((((_e12209 + (((_e12177 + (((bitcast<f32>((((_e12185 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12177) * _e11980)) - _e12209) * _e11978)) * _e11982) + (((bitcast<f32>((((_e12217 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>((((_e12231 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973))), vec3<f32>((((_e12200 + (((_e12170 + (((bitcast<f32>(((_e12185 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12170) * _e11980)) - _e12200) * _e11978)) * _e11982) + (((bitcast<f32>(((_e12217 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>(((_e12231 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973))), (((_e12064 + (((_e12034 + (((bitcast<f32>(((_e12049 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12034) * _e11980)) - _e12064) * _e11978)) * _e11982) + (((bitcast<f32>(((_e12081 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>(((_e12095 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973))), (((_e12073 + (((_e12041 + (((bitcast<f32>((((_e12049 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12041) * _e11980)) - _e12073) * _e11978)) * _e11982) + (((bitcast<f32>((((_e12081 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>((((_e12095 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_30422_ = type_42((((_e12209 + (((_e12177 + (((bitcast<f32>((((_e12185 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12177) * _e11980)) - _e12209) * _e11978)) * _e11982) + (((bitcast<f32>((((_e12217 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>((((_e12231 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973))), vec3<f32>((((_e12200 + (((_e12170 + (((bitcast<f32>(((_e12185 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12170) * _e11980)) - _e12200) * _e11978)) * _e11982) + (((bitcast<f32>(((_e12217 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>(((_e12231 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973))), (((_e12064 + (((_e12034 + (((bitcast<f32>(((_e12049 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12034) * _e11980)) - _e12064) * _e11978)) * _e11982) + (((bitcast<f32>(((_e12081 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>(((_e12095 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973))), (((_e12073 + (((_e12041 + (((bitcast<f32>((((_e12049 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12041) * _e11980)) - _e12073) * _e11978)) * _e11982) + (((bitcast<f32>((((_e12081 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11967) + ((bitcast<f32>((((_e12095 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11973)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e12540 = phi_30409_;
+let _e12540 = phi_30422_;
 if _e11792 {
 let _e12753 = -((_e12540.member * (_e11412 * _e11777)));
 let _e12755 = select(-87f, _e12753, (_e12753 > -87f));
@@ -4486,7 +4486,7 @@ let _e12775 = f32(_e12774);
 let _e12779 = ((_e12757 - (_e12775 * 0.6933594f)) - (_e12775 * -2.1219444e-4f));
 let _e12799 = ((1f + (_e12779 * (1f + (_e12779 * (0.5f + (_e12779 * (0.16666667f + (_e12779 * (0.041666668f + (_e12779 * (0.008333334f + (_e12779 * (0.001388889f + (_e12779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12774 + 127i)) << bitcast<u32>(23i))));
 let _e12800 = (1f - _e12799);
-phi_30760_ = type_43(_e12799, _e12800, vec3<f32>(1f, 1f, 1f), (_e12540.member_2 * (_e12800 / select(1e-12f, _e12540.member, (_e12540.member > 1e-12f)))));
+phi_30773_ = type_43(_e12799, _e12800, vec3<f32>(1f, 1f, 1f), (_e12540.member_2 * (_e12800 / select(1e-12f, _e12540.member, (_e12540.member > 1e-12f)))));
 } else {
 let _e12542 = (_e11412 * select(0f, _e11786, (_e11786 > 0f)));
 let _e12546 = -((_e12540.member_1.x * _e12542));
@@ -4531,9 +4531,9 @@ let _e12718 = f32(_e12717);
 let _e12722 = ((_e12700 - (_e12718 * 0.6933594f)) - (_e12718 * -2.1219444e-4f));
 let _e12742 = ((1f + (_e12722 * (1f + (_e12722 * (0.5f + (_e12722 * (0.16666667f + (_e12722 * (0.041666668f + (_e12722 * (0.008333334f + (_e12722 * (0.001388889f + (_e12722 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12717 + 127i)) << bitcast<u32>(23i))));
 let _e12743 = (1f - _e12742);
-phi_30760_ = type_43(_e12742, _e12743, vec3<f32>(((1f + (_e12572 * (1f + (_e12572 * (0.5f + (_e12572 * (0.16666667f + (_e12572 * (0.041666668f + (_e12572 * (0.008333334f + (_e12572 * (0.001388889f + (_e12572 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12567 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12622 * (1f + (_e12622 * (0.5f + (_e12622 * (0.16666667f + (_e12622 * (0.041666668f + (_e12622 * (0.008333334f + (_e12622 * (0.001388889f + (_e12622 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12617 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12672 * (1f + (_e12672 * (0.5f + (_e12672 * (0.16666667f + (_e12672 * (0.041666668f + (_e12672 * (0.008333334f + (_e12672 * (0.001388889f + (_e12672 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12667 + 127i)) << bitcast<u32>(23i))))), (_e12540.member_2 * (_e12743 / select(1e-12f, _e12540.member, (_e12540.member > 1e-12f)))));
+phi_30773_ = type_43(_e12742, _e12743, vec3<f32>(((1f + (_e12572 * (1f + (_e12572 * (0.5f + (_e12572 * (0.16666667f + (_e12572 * (0.041666668f + (_e12572 * (0.008333334f + (_e12572 * (0.001388889f + (_e12572 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12567 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12622 * (1f + (_e12622 * (0.5f + (_e12622 * (0.16666667f + (_e12622 * (0.041666668f + (_e12622 * (0.008333334f + (_e12622 * (0.001388889f + (_e12622 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12617 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12672 * (1f + (_e12672 * (0.5f + (_e12672 * (0.16666667f + (_e12672 * (0.041666668f + (_e12672 * (0.008333334f + (_e12672 * (0.001388889f + (_e12672 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12667 + 127i)) << bitcast<u32>(23i))))), (_e12540.member_2 * (_e12743 / select(1e-12f, _e12540.member, (_e12540.member > 1e-12f)))));
 }
-let _e12808 = phi_30760_;
+let _e12808 = phi_30773_;
 let _e12817 = (_e11116 - (_e10966 - _e11116));
 let _e12818 = (_e11117 - (_e10967 - _e11117));
 let _e12819 = (_e11118 - (_e10968 - _e11118));
@@ -4547,7 +4547,7 @@ let _e12845 = select(_e4887, _e12843, (_e12843 < _e4887));
 let _e12847 = select(_e4877, _e12837, (_e12837 > _e4877));
 let _e12849 = select(_e4892, _e12847, (_e12847 < _e4892));
 if _e8614 {
-phi_30965_ = vec3<f32>(_e12841, _e12845, _e12849);
+phi_30978_ = vec3<f32>(_e12841, _e12845, _e12849);
 } else {
 let _e12851 = (_e12841 + 0.5f);
 let _e12852 = (_e4762 - 1f);
@@ -4564,9 +4564,9 @@ let _e12888 = (_e4772 - 1f);
 let _e12890 = select(0f, _e12887, (_e12887 > 0f));
 let _e12892 = select(_e12888, _e12890, (_e12890 < _e12888));
 let _e12899 = select(0i, select(select(i32(_e12892), i32(-2147483648), (_e12892 < -2147483600f)), 2147483647i, (_e12892 > 2147483500f)), (_e12892 == _e12892));
-phi_30965_ = vec3<f32>(f32((_e12863 - select(0i, 1i, (_e12856 < f32(_e12863))))), f32((_e12881 - select(0i, 1i, (_e12874 < f32(_e12881))))), f32((_e12899 - select(0i, 1i, (_e12892 < f32(_e12899))))));
+phi_30978_ = vec3<f32>(f32((_e12863 - select(0i, 1i, (_e12856 < f32(_e12863))))), f32((_e12881 - select(0i, 1i, (_e12874 < f32(_e12881))))), f32((_e12899 - select(0i, 1i, (_e12892 < f32(_e12899))))));
 }
-let _e12907 = phi_30965_;
+let _e12907 = phi_30978_;
 let _e12910 = select(-1f, _e12907.x, (_e12907.x > -1f));
 let _e12912 = select(_e4762, _e12910, (_e12910 < _e4762));
 let _e12919 = select(0i, select(select(i32(_e12912), i32(-2147483648), (_e12912 < -2147483600f)), 2147483647i, (_e12912 > 2147483500f)), (_e12912 == _e12912));
@@ -4644,7 +4644,7 @@ let _e13108 = (((_e13047 + (((_e13072 + (((_e13083 + ((bitcast<f32>(_e13092) - _
 let _e13110 = select(_e8915, _e13108, (_e13108 > _e8915));
 let _e13112 = select(1e9f, _e13110, (_e13110 < 1e9f));
 if _e3564 {
-phi_31894_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_31907_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13116 = global_1.member.member_16.member;
 let _e13127 = ((((_e13116.member.member * _e12817) + (_e13116.member.member_1 * _e12818)) + (_e13116.member.member_2 * _e12819)) + _e13116.member_1);
@@ -4718,9 +4718,9 @@ let _e13334 = global_1.member.member_19.member_1;
 let _e13335 = (_e13334 != 0u);
 let _e13340 = select(0f, _e13328, _e13335);
 let _e13341 = select(1f, _e13330, _e13335);
-phi_31894_ = type_38(type_35(select(_e13328, _e13278, (_e13278 > _e13328)), select(_e13330, _e13280, (_e13280 < _e13330))), type_35(select(_e13340, _e13284, (_e13284 > _e13340)), select(_e13341, _e13286, (_e13286 < _e13341))), ((((1f * select(1f, 0f, (_e13158 && _e13149))) * select(1f, 0f, (_e13217 && _e13208))) * select(1f, 0f, (_e13276 && _e13267))) * select(1f, 0f, (_e13335 && _e13326))));
+phi_31907_ = type_38(type_35(select(_e13328, _e13278, (_e13278 > _e13328)), select(_e13330, _e13280, (_e13280 < _e13330))), type_35(select(_e13340, _e13284, (_e13284 > _e13340)), select(_e13341, _e13286, (_e13286 < _e13341))), ((((1f * select(1f, 0f, (_e13158 && _e13149))) * select(1f, 0f, (_e13217 && _e13208))) * select(1f, 0f, (_e13276 && _e13267))) * select(1f, 0f, (_e13335 && _e13326))));
 }
-let _e13353 = phi_31894_;
+let _e13353 = phi_31907_;
 let _e13354 = (_e11124 - _e12825);
 let _e13358 = (bitcast<f32>((bitcast<u32>(_e13354) & 2147483647u)) < 1e-12f);
 let _e13360 = (1f / select(_e13354, 1f, _e13358));
@@ -4849,7 +4849,7 @@ let _e14176 = global_3.member[bitcast<u32>(select(0i, _e14171, (_e14171 > 0i)))]
 let _e14186 = (_e14138 + (((bitcast<f32>((((_e14146 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14138) * _e14121));
 let _e14194 = global_3.member[_e9963];
 let _e14203 = global_3.member[_e9983];
-phi_35569_ = type_42((((_e14186 + (((_e14168 + (((bitcast<f32>((((_e14176 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14168) * _e14121)) - _e14186) * (_e13996 - f32(_e14074)))) * (1f - (_e14108 + _e14114))) + (((bitcast<f32>((((_e14194 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14108) + ((bitcast<f32>((((_e14203 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14114))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_35582_ = type_42((((_e14186 + (((_e14168 + (((bitcast<f32>((((_e14176 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14168) * _e14121)) - _e14186) * (_e13996 - f32(_e14074)))) * (1f - (_e14108 + _e14114))) + (((bitcast<f32>((((_e14194 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14108) + ((bitcast<f32>((((_e14203 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14114))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e13112;
 let _e13471 = local_3;
@@ -4962,9 +4962,9 @@ let _e13878 = (_e13808 + (((bitcast<f32>(((_e13823 & 32767u) << bitcast<u32>(13i
 let _e13887 = (_e13815 + (((bitcast<f32>((((_e13823 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13815) * _e13658));
 let _e13895 = global_3.member[_e9963];
 let _e13909 = global_3.member[_e9983];
-phi_35569_ = type_42((((_e13887 + (((_e13855 + (((bitcast<f32>((((_e13863 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13855) * _e13658)) - _e13887) * _e13656)) * _e13660) + (((bitcast<f32>((((_e13895 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>((((_e13909 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651))), vec3<f32>((((_e13878 + (((_e13848 + (((bitcast<f32>(((_e13863 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13848) * _e13658)) - _e13878) * _e13656)) * _e13660) + (((bitcast<f32>(((_e13895 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>(((_e13909 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651))), (((_e13742 + (((_e13712 + (((bitcast<f32>(((_e13727 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13712) * _e13658)) - _e13742) * _e13656)) * _e13660) + (((bitcast<f32>(((_e13759 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>(((_e13773 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651))), (((_e13751 + (((_e13719 + (((bitcast<f32>((((_e13727 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13719) * _e13658)) - _e13751) * _e13656)) * _e13660) + (((bitcast<f32>((((_e13759 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>((((_e13773 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_35582_ = type_42((((_e13887 + (((_e13855 + (((bitcast<f32>((((_e13863 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13855) * _e13658)) - _e13887) * _e13656)) * _e13660) + (((bitcast<f32>((((_e13895 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>((((_e13909 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651))), vec3<f32>((((_e13878 + (((_e13848 + (((bitcast<f32>(((_e13863 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13848) * _e13658)) - _e13878) * _e13656)) * _e13660) + (((bitcast<f32>(((_e13895 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>(((_e13909 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651))), (((_e13742 + (((_e13712 + (((bitcast<f32>(((_e13727 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13712) * _e13658)) - _e13742) * _e13656)) * _e13660) + (((bitcast<f32>(((_e13759 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>(((_e13773 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651))), (((_e13751 + (((_e13719 + (((bitcast<f32>((((_e13727 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13719) * _e13658)) - _e13751) * _e13656)) * _e13660) + (((bitcast<f32>((((_e13759 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13645) + ((bitcast<f32>((((_e13773 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13651)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14218 = phi_35569_;
+let _e14218 = phi_35582_;
 if _e11792 {
 let _e14431 = -((_e14218.member * (_e11412 * _e13459)));
 let _e14433 = select(-87f, _e14431, (_e14431 > -87f));
@@ -4978,7 +4978,7 @@ let _e14453 = f32(_e14452);
 let _e14457 = ((_e14435 - (_e14453 * 0.6933594f)) - (_e14453 * -2.1219444e-4f));
 let _e14477 = ((1f + (_e14457 * (1f + (_e14457 * (0.5f + (_e14457 * (0.16666667f + (_e14457 * (0.041666668f + (_e14457 * (0.008333334f + (_e14457 * (0.001388889f + (_e14457 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14452 + 127i)) << bitcast<u32>(23i))));
 let _e14478 = (1f - _e14477);
-phi_35920_ = type_43(_e14477, _e14478, vec3<f32>(1f, 1f, 1f), (_e14218.member_2 * (_e14478 / select(1e-12f, _e14218.member, (_e14218.member > 1e-12f)))));
+phi_35933_ = type_43(_e14477, _e14478, vec3<f32>(1f, 1f, 1f), (_e14218.member_2 * (_e14478 / select(1e-12f, _e14218.member, (_e14218.member > 1e-12f)))));
 } else {
 let _e14220 = (_e11412 * select(0f, _e13468, (_e13468 > 0f)));
 let _e14224 = -((_e14218.member_1.x * _e14220));
@@ -5023,20 +5023,20 @@ let _e14396 = f32(_e14395);
 let _e14400 = ((_e14378 - (_e14396 * 0.6933594f)) - (_e14396 * -2.1219444e-4f));
 let _e14420 = ((1f + (_e14400 * (1f + (_e14400 * (0.5f + (_e14400 * (0.16666667f + (_e14400 * (0.041666668f + (_e14400 * (0.008333334f + (_e14400 * (0.001388889f + (_e14400 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14395 + 127i)) << bitcast<u32>(23i))));
 let _e14421 = (1f - _e14420);
-phi_35920_ = type_43(_e14420, _e14421, vec3<f32>(((1f + (_e14250 * (1f + (_e14250 * (0.5f + (_e14250 * (0.16666667f + (_e14250 * (0.041666668f + (_e14250 * (0.008333334f + (_e14250 * (0.001388889f + (_e14250 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14245 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14300 * (1f + (_e14300 * (0.5f + (_e14300 * (0.16666667f + (_e14300 * (0.041666668f + (_e14300 * (0.008333334f + (_e14300 * (0.001388889f + (_e14300 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14295 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14350 * (1f + (_e14350 * (0.5f + (_e14350 * (0.16666667f + (_e14350 * (0.041666668f + (_e14350 * (0.008333334f + (_e14350 * (0.001388889f + (_e14350 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14345 + 127i)) << bitcast<u32>(23i))))), (_e14218.member_2 * (_e14421 / select(1e-12f, _e14218.member, (_e14218.member > 1e-12f)))));
+phi_35933_ = type_43(_e14420, _e14421, vec3<f32>(((1f + (_e14250 * (1f + (_e14250 * (0.5f + (_e14250 * (0.16666667f + (_e14250 * (0.041666668f + (_e14250 * (0.008333334f + (_e14250 * (0.001388889f + (_e14250 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14245 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14300 * (1f + (_e14300 * (0.5f + (_e14300 * (0.16666667f + (_e14300 * (0.041666668f + (_e14300 * (0.008333334f + (_e14300 * (0.001388889f + (_e14300 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14295 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14350 * (1f + (_e14350 * (0.5f + (_e14350 * (0.16666667f + (_e14350 * (0.041666668f + (_e14350 * (0.008333334f + (_e14350 * (0.001388889f + (_e14350 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14345 + 127i)) << bitcast<u32>(23i))))), (_e14218.member_2 * (_e14421 / select(1e-12f, _e14218.member, (_e14218.member > 1e-12f)))));
 }
-let _e14486 = phi_35920_;
+let _e14486 = phi_35933_;
 let _e14492 = (_e12808.member * _e14486.member);
 let _e14506 = (((_e10958 * _e10958) + (_e10960 * _e10960)) + (_e10962 * _e10962));
 let _e14509 = sqrt(select(0f, _e14506, (_e14506 > 0f)));
 let _e14511 = select(1e-20f, _e14509, (_e14509 > 1e-20f));
 let _e14512 = (_e9672 / _e14511);
-let _e14516 = ((_e10970 - _e11411) / select(1e-20f, _e11049, (_e11049 > 1e-20f)));
+let _e14516 = ((_e10970 - _e11411) / select(1e-20f, _e11112, (_e11112 > 1e-20f)));
 let _e14526 = (_e4699.member.x + (_e11116 - _e10966));
 let _e14527 = (_e4699.member.y + (_e11117 - _e10967));
 let _e14528 = (_e4699.member.z + (_e11118 - _e10968));
 if _e3564 {
-phi_36534_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_36547_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e14532 = global_1.member.member_16.member;
 let _e14543 = ((((_e14532.member.member * _e14526) + (_e14532.member.member_1 * _e14527)) + (_e14532.member.member_2 * _e14528)) + _e14532.member_1);
@@ -5110,9 +5110,9 @@ let _e14750 = global_1.member.member_19.member_1;
 let _e14751 = (_e14750 != 0u);
 let _e14756 = select(0f, _e14744, _e14751);
 let _e14757 = select(1f, _e14746, _e14751);
-phi_36534_ = type_38(type_35(select(_e14744, _e14694, (_e14694 > _e14744)), select(_e14746, _e14696, (_e14696 < _e14746))), type_35(select(_e14756, _e14700, (_e14700 > _e14756)), select(_e14757, _e14702, (_e14702 < _e14757))), ((((1f * select(1f, 0f, (_e14574 && _e14565))) * select(1f, 0f, (_e14633 && _e14624))) * select(1f, 0f, (_e14692 && _e14683))) * select(1f, 0f, (_e14751 && _e14742))));
+phi_36547_ = type_38(type_35(select(_e14744, _e14694, (_e14694 > _e14744)), select(_e14746, _e14696, (_e14696 < _e14746))), type_35(select(_e14756, _e14700, (_e14700 > _e14756)), select(_e14757, _e14702, (_e14702 < _e14757))), ((((1f * select(1f, 0f, (_e14574 && _e14565))) * select(1f, 0f, (_e14633 && _e14624))) * select(1f, 0f, (_e14692 && _e14683))) * select(1f, 0f, (_e14751 && _e14742))));
 }
-let _e14769 = phi_36534_;
+let _e14769 = phi_36547_;
 let _e14775 = ((((_e577.member.member * _e14526) + (_e577.member.member_1 * _e14527)) + (_e577.member.member_2 * _e14528)) + _e577.member_1);
 let _e14781 = ((((_e592.member.member * _e14526) + (_e592.member.member_1 * _e14527)) + (_e592.member.member_2 * _e14528)) + _e592.member_1);
 let _e14787 = ((((_e607.member.member * _e14526) + (_e607.member.member_1 * _e14527)) + (_e607.member.member_2 * _e14528)) + _e607.member_1);
@@ -5219,11 +5219,11 @@ let _e15135 = global_1.member.member_12.member_14.member_1;
 let _e15136 = bitcast<i32>(_e15135);
 let _e15141 = global_1.member.member_12.member_14.member_2;
 if ((((((_e15122 >= 0i) && (_e15122 < _e15130)) && (_e15124 >= 0i)) && (_e15124 < _e15136)) && (_e15120 >= 0i)) && (_e15120 < bitcast<i32>(_e15141))) {
-phi_37241_ = (((((_e15120 * _e15136) + _e15124) * _e15130) + _e15122) * 3i);
+phi_37254_ = (((((_e15120 * _e15136) + _e15124) * _e15130) + _e15122) * 3i);
 } else {
-phi_37241_ = -1i;
+phi_37254_ = -1i;
 }
-let _e15160 = phi_37241_;
+let _e15160 = phi_37254_;
 let _e15161 = (_e15160 + 1i);
 let _e15163 = (bitcast<i32>(_e268) - 1i);
 let _e15165 = select(_e15163, _e15161, (_e15161 < _e15163));
@@ -5272,7 +5272,7 @@ let _e15282 = select(_e15163, _e15280, (_e15280 < _e15163));
 let _e15287 = global_4.member[bitcast<u32>(select(0i, _e15282, (_e15282 > 0i)))];
 let _e15298 = select(1f, (_e15249 + (((_e15270 + (((_e15279 + ((bitcast<f32>(_e15287) - _e15279) * _e15200)) - _e15270) * _e15202)) - _e15249) * _e15204)), _e15205);
 if _e11792 {
-phi_37818_ = vec3(_e15298);
+phi_37831_ = vec3(_e15298);
 } else {
 let _e15303 = global_1.member.member_12.member_12;
 let _e15304 = (_e15303 > 1u);
@@ -5338,12 +5338,12 @@ let _e15477 = bitcast<f32>(_e15476);
 let _e15478 = (_e15448 + 10i);
 let _e15480 = select(_e15163, _e15478, (_e15478 < _e15163));
 let _e15485 = global_4.member[bitcast<u32>(select(0i, _e15480, (_e15480 > 0i)))];
-phi_37818_ = vec3<f32>(_e15298, select(1f, (_e15352 + (((_e15373 + (((_e15382 + ((bitcast<f32>(_e15390) - _e15382) * _e15200)) - _e15373) * _e15202)) - _e15352) * _e15204)), _e15205), select(1f, (_e15447 + (((_e15468 + (((_e15477 + ((bitcast<f32>(_e15485) - _e15477) * _e15200)) - _e15468) * _e15202)) - _e15447) * _e15204)), _e15205));
+phi_37831_ = vec3<f32>(_e15298, select(1f, (_e15352 + (((_e15373 + (((_e15382 + ((bitcast<f32>(_e15390) - _e15382) * _e15200)) - _e15373) * _e15202)) - _e15352) * _e15204)), _e15205), select(1f, (_e15447 + (((_e15468 + (((_e15477 + ((bitcast<f32>(_e15485) - _e15477) * _e15200)) - _e15468) * _e15202)) - _e15447) * _e15204)), _e15205));
 }
-let _e15499 = phi_37818_;
-let _e15500 = (_e15023 - _e11050.member);
-let _e15501 = (_e15029 - _e11050.member_1);
-let _e15502 = (_e15035 - _e11050.member_2);
+let _e15499 = phi_37831_;
+let _e15500 = (_e15023 - _e11049.member);
+let _e15501 = (_e15029 - _e11049.member_1);
+let _e15502 = (_e15035 - _e11049.member_2);
 let _e15507 = (((_e15500 * _e15500) + (_e15501 * _e15501)) + (_e15502 * _e15502));
 let _e15510 = sqrt(select(0f, _e15507, (_e15507 > 0f)));
 let _e15513 = (1f / select(1e-20f, _e15510, (_e15510 > 1e-20f)));
@@ -5408,13 +5408,13 @@ let _e15768 = (_e15517 + select(0f, ((_e15638 + (((_e15694 + (((_e15711 + ((f32(
 let _e15771 = (_e15518 + select(0f, ((_e15641 + (((_e15697 + (((_e15722 + ((select(_e15742, -(_e15742), ((_e15732 >> bitcast<u32>(31i)) != 0u)) - _e15722) * _e15200)) - _e15697) * _e15202)) - _e15641) * _e15204)) * 6.151953e-5f), _e15205));
 let _e15775 = (1f - ((_e15768 * _e15768) + (_e15771 * _e15771)));
 let _e15777 = select(1e-4f, _e15775, (_e15775 > 1e-4f));
-phi_38225_ = vec3<f32>(_e15768, _e15771, sqrt(select(0f, _e15777, (_e15777 > 0f))));
+phi_38238_ = vec3<f32>(_e15768, _e15771, sqrt(select(0f, _e15777, (_e15777 > 0f))));
 } else {
-phi_38225_ = vec3<f32>(_e15517, _e15518, select(1f, (_e15502 * _e15513), _e11025));
+phi_38238_ = vec3<f32>(_e15517, _e15518, select(1f, (_e15502 * _e15513), _e11025));
 }
-let _e15783 = phi_38225_;
+let _e15783 = phi_38238_;
 if _e4464 {
-phi_38319_ = 1f;
+phi_38332_ = 1f;
 } else {
 let _e15789 = global_1.member.member_12.member_20.member;
 let _e15797 = (((_e15789.member * _e15500) + (_e15789.member_1 * _e15501)) + (_e15789.member_2 * _e15502));
@@ -5427,23 +5427,23 @@ let _e15825 = global_1.member.member_12.member_20.member_2;
 let _e15826 = ((_e15819 - (sqrt(select(0f, _e15808, (_e15808 > 0f))) / select(1e-20f, _e15797, (_e15797 > 1e-20f)))) * _e15825);
 let _e15828 = select(0f, _e15826, (_e15826 > 0f));
 let _e15830 = select(1f, _e15828, (_e15828 < 1f));
-phi_38319_ = select(1f, select(0f, ((_e15830 * _e15830) * (3f - (2f * _e15830))), (_e15797 > 0f)), (_e15825 > 0f));
+phi_38332_ = select(1f, select(0f, ((_e15830 * _e15830) * (3f - (2f * _e15830))), (_e15797 > 0f)), (_e15825 > 0f));
 }
-let _e15840 = phi_38319_;
+let _e15840 = phi_38332_;
 let _e15845 = global_1.member.member_11.member_1;
 if _e4464 {
-phi_38361_ = 1f;
+phi_38374_ = 1f;
 } else {
-phi_38361_ = (1f / select(1e-12f, _e15507, (_e15507 > 1e-12f)));
+phi_38374_ = (1f / select(1e-12f, _e15507, (_e15507 > 1e-12f)));
 }
-let _e15859 = phi_38361_;
+let _e15859 = phi_38374_;
 let _e15860 = (_e15859 * select(_e15840, 1f, (_e627 && _e15205)));
-let _e15872 = ((_e11078.member * _e15783.x) + (_e11089.member * _e15783.y));
-let _e15873 = ((_e11078.member_1 * _e15783.x) + (_e11089.member_1 * _e15783.y));
-let _e15874 = ((_e11078.member_2 * _e15783.x) + (_e11089.member_2 * _e15783.y));
-let _e15876 = (_e11103.member * _e15783.z);
-let _e15877 = (_e11103.member_1 * _e15783.z);
-let _e15878 = (_e11103.member_2 * _e15783.z);
+let _e15872 = ((_e11077.member * _e15783.x) + (_e11088.member * _e15783.y));
+let _e15873 = ((_e11077.member_1 * _e15783.x) + (_e11088.member_1 * _e15783.y));
+let _e15874 = ((_e11077.member_2 * _e15783.x) + (_e11088.member_2 * _e15783.y));
+let _e15876 = (_e11102.member * _e15783.z);
+let _e15877 = (_e11102.member_1 * _e15783.z);
+let _e15878 = (_e11102.member_2 * _e15783.z);
 let _e15880 = (_e15872 + _e15876);
 let _e15881 = (_e15873 + _e15877);
 let _e15882 = (_e15874 + _e15878);
@@ -5457,7 +5457,7 @@ let _e15896 = select(_e4887, _e15894, (_e15894 < _e4887));
 let _e15898 = select(_e4877, _e11671, (_e11671 > _e4877));
 let _e15900 = select(_e4892, _e15898, (_e15898 < _e4892));
 if _e8614 {
-phi_38592_ = vec3<f32>(_e15892, _e15896, _e15900);
+phi_38605_ = vec3<f32>(_e15892, _e15896, _e15900);
 } else {
 let _e15902 = (_e15892 + 0.5f);
 let _e15903 = (_e4762 - 1f);
@@ -5474,9 +5474,9 @@ let _e15939 = (_e4772 - 1f);
 let _e15941 = select(0f, _e15938, (_e15938 > 0f));
 let _e15943 = select(_e15939, _e15941, (_e15941 < _e15939));
 let _e15950 = select(0i, select(select(i32(_e15943), i32(-2147483648), (_e15943 < -2147483600f)), 2147483647i, (_e15943 > 2147483500f)), (_e15943 == _e15943));
-phi_38592_ = vec3<f32>(f32((_e15914 - select(0i, 1i, (_e15907 < f32(_e15914))))), f32((_e15932 - select(0i, 1i, (_e15925 < f32(_e15932))))), f32((_e15950 - select(0i, 1i, (_e15943 < f32(_e15950))))));
+phi_38605_ = vec3<f32>(f32((_e15914 - select(0i, 1i, (_e15907 < f32(_e15914))))), f32((_e15932 - select(0i, 1i, (_e15925 < f32(_e15932))))), f32((_e15950 - select(0i, 1i, (_e15943 < f32(_e15950))))));
 }
-let _e15958 = phi_38592_;
+let _e15958 = phi_38605_;
 let _e15961 = select(-1f, _e15958.x, (_e15958.x > -1f));
 let _e15963 = select(_e4762, _e15961, (_e15961 < _e4762));
 let _e15970 = select(0i, select(select(i32(_e15963), i32(-2147483648), (_e15963 < -2147483600f)), 2147483647i, (_e15963 > 2147483500f)), (_e15963 == _e15963));
@@ -5788,11 +5788,11 @@ let _e16791 = select(0i, select(select(i32(_e16784), i32(-2147483648), (_e16784 
 let _e16795 = (_e16791 - select(0i, 1i, (_e16784 < f32(_e16791))));
 let _e16796 = f32(_e16795);
 let _e16800 = ((_e16778 - (_e16796 * 0.6933594f)) - (_e16796 * -2.1219444e-4f));
-phi_40152_ = (select(((_e16772 - ((1f + (_e16800 * (1f + (_e16800 * (0.5f + (_e16800 * (0.16666667f + (_e16800 * (0.041666668f + (_e16800 * (0.008333334f + (_e16800 * (0.001388889f + (_e16800 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16795 + 127i)) << bitcast<u32>(23i))))) / select(_e16721, 1f, _e16725)), (_e16772 * (1f - (0.5f * _e16721))), _e16725) * (_e10913 / _e14965));
+phi_40165_ = (select(((_e16772 - ((1f + (_e16800 * (1f + (_e16800 * (0.5f + (_e16800 * (0.16666667f + (_e16800 * (0.041666668f + (_e16800 * (0.008333334f + (_e16800 * (0.001388889f + (_e16800 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16795 + 127i)) << bitcast<u32>(23i))))) / select(_e16721, 1f, _e16725)), (_e16772 * (1f - (0.5f * _e16721))), _e16725) * (_e10913 / _e14965));
 } else {
-phi_40152_ = _e15887;
+phi_40165_ = _e15887;
 }
-let _e16831 = phi_40152_;
+let _e16831 = phi_40165_;
 let _e16833 = select(_e8346.member, _e9190, (_e9190 < _e8346.member));
 let _e16835 = select(_e8346.member, _e9190, (_e9190 > _e8346.member));
 let _e16838 = (_e13112 + ((_e11411 - _e13112) * 0f));
@@ -5829,14 +5829,14 @@ let _e16967 = (_e11411 + ((_e16964 - _e11411) * 0f));
 let _e17017 = (263219i + ((((((select(0i, 1i, (_e16967 >= _e16846)) + select(0i, 1i, (_e16967 >= _e16856))) + (select(0i, 1i, (_e16967 >= _e16867)) + select(0i, 1i, (_e16967 >= _e16877)))) + ((select(0i, 1i, (_e16967 >= _e16889)) + select(0i, 1i, (_e16967 >= _e16899))) + (select(0i, 1i, (_e16967 >= _e16910)) + select(0i, 1i, (_e16967 >= _e16920))))) * 9i) + (((select(0i, 1i, (_e16964 >= _e16846)) + select(0i, 1i, (_e16964 >= _e16856))) + (select(0i, 1i, (_e16964 >= _e16867)) + select(0i, 1i, (_e16964 >= _e16877)))) + ((select(0i, 1i, (_e16964 >= _e16889)) + select(0i, 1i, (_e16964 >= _e16899))) + (select(0i, 1i, (_e16964 >= _e16910)) + select(0i, 1i, (_e16964 >= _e16920)))))) * 6i));
 let _e17019 = select(_e8923, _e17017, (_e17017 < _e8923));
 let _e17024 = global_3.member[bitcast<u32>(select(0i, _e17019, (_e17019 > 0i)))];
-phi_40951_ = (select(_e15887, _e16831, _e11047) * select((bitcast<f32>(_e16959) * bitcast<f32>(_e17024)), 1f, (select(_e13459, _e11777, (_e11777 < _e13459)) < 1f)));
+phi_40964_ = (select(_e15887, _e16831, _e11047) * select((bitcast<f32>(_e16959) * bitcast<f32>(_e17024)), 1f, (select(_e13459, _e11777, (_e11777 < _e13459)) < 1f)));
 } else {
-phi_40951_ = _e15887;
+phi_40964_ = _e15887;
 }
-let _e17034 = phi_40951_;
-phi_40961_ = type_40(vec3<f32>((((_e15499.x * _e15845.member) * _e15860) * ((_e12808.member_2.x * _e14486.member_2.x) * _e17034)), (((_e15499.y * _e15845.member_1) * _e15860) * ((_e12808.member_2.y * _e14486.member_2.y) * _e17034)), (((_e15499.z * _e15845.member_2) * _e15860) * ((_e12808.member_2.z * _e14486.member_2.z) * _e17034))), (vec3<f32>(_e15872, _e15873, _e15874) + vec3<f32>(_e15876, _e15877, _e15878)));
+let _e17034 = phi_40964_;
+phi_40974_ = type_40(vec3<f32>((((_e15499.x * _e15845.member) * _e15860) * ((_e12808.member_2.x * _e14486.member_2.x) * _e17034)), (((_e15499.y * _e15845.member_1) * _e15860) * ((_e12808.member_2.y * _e14486.member_2.y) * _e17034)), (((_e15499.z * _e15845.member_2) * _e15860) * ((_e12808.member_2.z * _e14486.member_2.z) * _e17034))), (vec3<f32>(_e15872, _e15873, _e15874) + vec3<f32>(_e15876, _e15877, _e15878)));
 }
-let _e17044 = phi_40961_;
+let _e17044 = phi_40974_;
 let _e17053 = (((_e17044.member_1.x * _e17044.member_1.x) + (_e17044.member_1.y * _e17044.member_1.y)) + (_e17044.member_1.z * _e17044.member_1.z));
 let _e17056 = sqrt(select(0f, _e17053, (_e17053 > 0f)));
 let _e17058 = ((_e3562 & 8u) != 0u);
@@ -5849,19 +5849,19 @@ let _e17097 = sqrt(select(0f, _e17094, (_e17094 > 0f)));
 let _e17103 = (_e17097 * _e17056);
 let _e17106 = ((((_e8346.member_2.x * _e17044.member_1.x) + (_e8346.member_2.y * _e17044.member_1.y)) + (_e8346.member_2.z * _e17044.member_1.z)) / select(1e-20f, _e17103, (_e17103 > 1e-20f)));
 if ((((_e8346.member_2.x * _e4699.member_1.x) + (_e8346.member_2.y * _e4699.member_1.y)) + (_e8346.member_2.z * _e4699.member_1.z)) > 0f) {
-phi_41093_ = _e17106;
+phi_41106_ = _e17106;
 } else {
-phi_41093_ = -(_e17106);
+phi_41106_ = -(_e17106);
 }
-let _e17115 = phi_41093_;
+let _e17115 = phi_41106_;
 let _e17123 = ((_e17097 / _e4791) * (1f / 0.015625f));
 let _e17125 = select(0f, _e17123, (_e17123 > 0f));
 let _e17127 = select(1f, _e17125, (_e17125 < 1f));
-phi_41136_ = (1f + ((((_e17115 + bitcast<f32>((bitcast<u32>(_e17115) & 2147483647u))) * 0.5f) - 1f) * select(_e10854, _e17127, (_e17127 > _e10854))));
+phi_41149_ = (1f + ((((_e17115 + bitcast<f32>((bitcast<u32>(_e17115) & 2147483647u))) * 0.5f) - 1f) * select(_e10854, _e17127, (_e17127 > _e10854))));
 } else {
-phi_41136_ = 1f;
+phi_41149_ = 1f;
 }
-let _e17134 = phi_41136_;
+let _e17134 = phi_41149_;
 let _e17141 = global_1.member.member_20.member;
 let _e17148 = (1f - _e4699.member_6);
 let _e17166 = (_e4699.member_5.x + (((_e4699.member_7.x * _e17074) * ((_e10850.member_3.x * (((_e17044.member.x * _e17066) * _e17134) + _e17141.member)) + 0f)) * _e17148));
@@ -5949,112 +5949,112 @@ let _e17568 = select(0f, _e17566, (_e17566 > 0f));
 let _e17570 = select(1f, _e17568, (_e17568 < 1f));
 if _e5534 {
 let _e17580 = global_1.member.member_12.member_18.member_4;
-phi_41584_ = _e17580;
+phi_41605_ = _e17580;
 } else {
 let _e17575 = global_1.member.member_12.member_18.member_3;
-phi_41584_ = _e17575;
+phi_41605_ = _e17575;
 }
-let _e17582 = phi_41584_;
+let _e17582 = phi_41605_;
 let _e17586 = ((bitcast<i32>(_e17582) + (_e17558 * _e17411)) + _e17541);
 let _e17587 = (_e17411 * _e17418);
 let _e17589 = (bitcast<i32>(_e268) - 1i);
 let _e17591 = select(_e17589, _e17586, (_e17586 < _e17589));
-let _e17597 = global_4.member[bitcast<u32>(select(0i, _e17591, (_e17591 > 0i)))];
-let _e17598 = bitcast<f32>(_e17597);
-let _e17599 = (_e17586 + 1i);
-let _e17601 = select(_e17589, _e17599, (_e17599 < _e17589));
-let _e17607 = global_4.member[bitcast<u32>(select(0i, _e17601, (_e17601 > 0i)))];
-let _e17611 = (_e17598 + ((bitcast<f32>(_e17607) - _e17598) * _e17564));
-let _e17612 = (_e17586 + _e17411);
-let _e17614 = select(_e17589, _e17612, (_e17612 < _e17589));
-let _e17620 = global_4.member[bitcast<u32>(select(0i, _e17614, (_e17614 > 0i)))];
-let _e17621 = bitcast<f32>(_e17620);
-let _e17622 = (_e17612 + 1i);
-let _e17624 = select(_e17589, _e17622, (_e17622 < _e17589));
-let _e17630 = global_4.member[bitcast<u32>(select(0i, _e17624, (_e17624 > 0i)))];
-let _e17637 = (_e17611 + (((_e17621 + ((bitcast<f32>(_e17630) - _e17621) * _e17564)) - _e17611) * _e17570));
-let _e17638 = (_e17586 + _e17587);
-let _e17640 = select(_e17589, _e17638, (_e17638 < _e17589));
-let _e17646 = global_4.member[bitcast<u32>(select(0i, _e17640, (_e17640 > 0i)))];
-let _e17647 = bitcast<f32>(_e17646);
-let _e17648 = (_e17638 + 1i);
-let _e17650 = select(_e17589, _e17648, (_e17648 < _e17589));
-let _e17656 = global_4.member[bitcast<u32>(select(0i, _e17650, (_e17650 > 0i)))];
-let _e17660 = (_e17647 + ((bitcast<f32>(_e17656) - _e17647) * _e17564));
-let _e17661 = (_e17638 + _e17411);
-let _e17663 = select(_e17589, _e17661, (_e17661 < _e17589));
-let _e17669 = global_4.member[bitcast<u32>(select(0i, _e17663, (_e17663 > 0i)))];
-let _e17670 = bitcast<f32>(_e17669);
-let _e17671 = (_e17661 + 1i);
-let _e17673 = select(_e17589, _e17671, (_e17671 < _e17589));
-let _e17679 = global_4.member[bitcast<u32>(select(0i, _e17673, (_e17673 > 0i)))];
-let _e17686 = (_e17660 + (((_e17670 + ((bitcast<f32>(_e17679) - _e17670) * _e17564)) - _e17660) * _e17570));
-let _e17688 = (_e17586 + (2i * _e17587));
-let _e17690 = select(_e17589, _e17688, (_e17688 < _e17589));
-let _e17696 = global_4.member[bitcast<u32>(select(0i, _e17690, (_e17690 > 0i)))];
-let _e17697 = bitcast<f32>(_e17696);
-let _e17698 = (_e17688 + 1i);
-let _e17700 = select(_e17589, _e17698, (_e17698 < _e17589));
-let _e17706 = global_4.member[bitcast<u32>(select(0i, _e17700, (_e17700 > 0i)))];
-let _e17710 = (_e17697 + ((bitcast<f32>(_e17706) - _e17697) * _e17564));
-let _e17711 = (_e17688 + _e17411);
-let _e17713 = select(_e17589, _e17711, (_e17711 < _e17589));
-let _e17719 = global_4.member[bitcast<u32>(select(0i, _e17713, (_e17713 > 0i)))];
-let _e17720 = bitcast<f32>(_e17719);
-let _e17721 = (_e17711 + 1i);
-let _e17723 = select(_e17589, _e17721, (_e17721 < _e17589));
-let _e17729 = global_4.member[bitcast<u32>(select(0i, _e17723, (_e17723 > 0i)))];
-let _e17736 = (_e17710 + (((_e17720 + ((bitcast<f32>(_e17729) - _e17720) * _e17564)) - _e17710) * _e17570));
+let _e17596 = global_4.member[bitcast<u32>(select(0i, _e17591, (_e17591 > 0i)))];
+let _e17597 = bitcast<f32>(_e17596);
+let _e17598 = (_e17586 + 1i);
+let _e17600 = select(_e17589, _e17598, (_e17598 < _e17589));
+let _e17605 = global_4.member[bitcast<u32>(select(0i, _e17600, (_e17600 > 0i)))];
+let _e17609 = (_e17597 + ((bitcast<f32>(_e17605) - _e17597) * _e17564));
+let _e17610 = (_e17586 + _e17411);
+let _e17612 = select(_e17589, _e17610, (_e17610 < _e17589));
+let _e17617 = global_4.member[bitcast<u32>(select(0i, _e17612, (_e17612 > 0i)))];
+let _e17618 = bitcast<f32>(_e17617);
+let _e17619 = (_e17610 + 1i);
+let _e17621 = select(_e17589, _e17619, (_e17619 < _e17589));
+let _e17626 = global_4.member[bitcast<u32>(select(0i, _e17621, (_e17621 > 0i)))];
+let _e17633 = (_e17609 + (((_e17618 + ((bitcast<f32>(_e17626) - _e17618) * _e17564)) - _e17609) * _e17570));
+let _e17634 = (_e17586 + _e17587);
+let _e17636 = select(_e17589, _e17634, (_e17634 < _e17589));
+let _e17641 = global_4.member[bitcast<u32>(select(0i, _e17636, (_e17636 > 0i)))];
+let _e17642 = bitcast<f32>(_e17641);
+let _e17643 = (_e17634 + 1i);
+let _e17645 = select(_e17589, _e17643, (_e17643 < _e17589));
+let _e17650 = global_4.member[bitcast<u32>(select(0i, _e17645, (_e17645 > 0i)))];
+let _e17654 = (_e17642 + ((bitcast<f32>(_e17650) - _e17642) * _e17564));
+let _e17655 = (_e17634 + _e17411);
+let _e17657 = select(_e17589, _e17655, (_e17655 < _e17589));
+let _e17662 = global_4.member[bitcast<u32>(select(0i, _e17657, (_e17657 > 0i)))];
+let _e17663 = bitcast<f32>(_e17662);
+let _e17664 = (_e17655 + 1i);
+let _e17666 = select(_e17589, _e17664, (_e17664 < _e17589));
+let _e17671 = global_4.member[bitcast<u32>(select(0i, _e17666, (_e17666 > 0i)))];
+let _e17678 = (_e17654 + (((_e17663 + ((bitcast<f32>(_e17671) - _e17663) * _e17564)) - _e17654) * _e17570));
+let _e17680 = (_e17586 + (2i * _e17587));
+let _e17682 = select(_e17589, _e17680, (_e17680 < _e17589));
+let _e17687 = global_4.member[bitcast<u32>(select(0i, _e17682, (_e17682 > 0i)))];
+let _e17688 = bitcast<f32>(_e17687);
+let _e17689 = (_e17680 + 1i);
+let _e17691 = select(_e17589, _e17689, (_e17689 < _e17589));
+let _e17696 = global_4.member[bitcast<u32>(select(0i, _e17691, (_e17691 > 0i)))];
+let _e17700 = (_e17688 + ((bitcast<f32>(_e17696) - _e17688) * _e17564));
+let _e17701 = (_e17680 + _e17411);
+let _e17703 = select(_e17589, _e17701, (_e17701 < _e17589));
+let _e17708 = global_4.member[bitcast<u32>(select(0i, _e17703, (_e17703 > 0i)))];
+let _e17709 = bitcast<f32>(_e17708);
+let _e17710 = (_e17701 + 1i);
+let _e17712 = select(_e17589, _e17710, (_e17710 < _e17589));
+let _e17717 = global_4.member[bitcast<u32>(select(0i, _e17712, (_e17712 > 0i)))];
+let _e17724 = (_e17700 + (((_e17709 + ((bitcast<f32>(_e17717) - _e17709) * _e17564)) - _e17700) * _e17570));
 if _e4464 {
-phi_41952_ = vec3<f32>(_e17637, _e17686, _e17736);
+phi_41973_ = vec3<f32>(_e17633, _e17678, _e17724);
 } else {
 if _e4464 {
-phi_41920_ = 1f;
+phi_41941_ = 1f;
 } else {
-let _e17742 = global_1.member.member_12.member_20.member;
-let _e17750 = (((_e17742.member * _e17251) + (_e17742.member_1 * _e17252)) + (_e17742.member_2 * _e17253));
-let _e17754 = (_e17251 - (_e17742.member * _e17750));
-let _e17755 = (_e17252 - (_e17742.member_1 * _e17750));
-let _e17756 = (_e17253 - (_e17742.member_2 * _e17750));
-let _e17761 = (((_e17754 * _e17754) + (_e17755 * _e17755)) + (_e17756 * _e17756));
-let _e17772 = global_1.member.member_12.member_20.member_1;
-let _e17778 = global_1.member.member_12.member_20.member_2;
-let _e17779 = ((_e17772 - (sqrt(select(0f, _e17761, (_e17761 > 0f))) / select(1e-20f, _e17750, (_e17750 > 1e-20f)))) * _e17778);
-let _e17781 = select(0f, _e17779, (_e17779 > 0f));
-let _e17783 = select(1f, _e17781, (_e17781 < 1f));
-phi_41920_ = select(1f, select(0f, ((_e17783 * _e17783) * (3f - (2f * _e17783))), (_e17750 > 0f)), (_e17778 > 0f));
+let _e17730 = global_1.member.member_12.member_20.member;
+let _e17738 = (((_e17730.member * _e17251) + (_e17730.member_1 * _e17252)) + (_e17730.member_2 * _e17253));
+let _e17742 = (_e17251 - (_e17730.member * _e17738));
+let _e17743 = (_e17252 - (_e17730.member_1 * _e17738));
+let _e17744 = (_e17253 - (_e17730.member_2 * _e17738));
+let _e17749 = (((_e17742 * _e17742) + (_e17743 * _e17743)) + (_e17744 * _e17744));
+let _e17760 = global_1.member.member_12.member_20.member_1;
+let _e17766 = global_1.member.member_12.member_20.member_2;
+let _e17767 = ((_e17760 - (sqrt(select(0f, _e17749, (_e17749 > 0f))) / select(1e-20f, _e17738, (_e17738 > 1e-20f)))) * _e17766);
+let _e17769 = select(0f, _e17767, (_e17767 > 0f));
+let _e17771 = select(1f, _e17769, (_e17769 < 1f));
+phi_41941_ = select(1f, select(0f, ((_e17771 * _e17771) * (3f - (2f * _e17771))), (_e17738 > 0f)), (_e17766 > 0f));
 }
-let _e17793 = phi_41920_;
-let _e17795 = select(0f, 1f, (_e17253 > 0f));
-let _e17799 = ((_e17637 * _e17795) + _e17793);
-let _e17800 = ((_e17686 * _e17795) + _e17793);
-let _e17801 = ((_e17736 * _e17795) + _e17793);
-phi_41952_ = vec3<f32>(select(0f, _e17799, (_e17799 > 0f)), select(0f, _e17800, (_e17800 > 0f)), select(0f, _e17801, (_e17801 > 0f)));
+let _e17781 = phi_41941_;
+let _e17783 = select(0f, 1f, (_e17253 > 0f));
+let _e17787 = ((_e17633 * _e17783) + _e17781);
+let _e17788 = ((_e17678 * _e17783) + _e17781);
+let _e17789 = ((_e17724 * _e17783) + _e17781);
+phi_41973_ = vec3<f32>(select(0f, _e17787, (_e17787 > 0f)), select(0f, _e17788, (_e17788 > 0f)), select(0f, _e17789, (_e17789 > 0f)));
 }
-let _e17810 = phi_41952_;
+let _e17798 = phi_41973_;
 if _e4464 {
-phi_41978_ = 1f;
+phi_41999_ = 1f;
 } else {
-phi_41978_ = (1f / select(1e-12f, _e17258, (_e17258 > 1e-12f)));
+phi_41999_ = (1f / select(1e-12f, _e17258, (_e17258 > 1e-12f)));
 }
-let _e17815 = phi_41978_;
-let _e17825 = global_1.member.member_11.member_1;
-phi_42246_ = type_40(vec3<f32>((_e17825.member * (_e17810.x * _e17815)), (_e17825.member_1 * (_e17810.y * _e17815)), (_e17825.member_2 * (_e17810.z * _e17815))), _e17309);
+let _e17803 = phi_41999_;
+let _e17813 = global_1.member.member_11.member_1;
+phi_42267_ = type_40(vec3<f32>((_e17813.member * (_e17798.x * _e17803)), (_e17813.member_1 * (_e17798.y * _e17803)), (_e17813.member_2 * (_e17798.z * _e17803))), _e17309);
 } else {
 if _e4464 {
 let _e17389 = global_1.member.member_11.member_1;
 let _e17397 = global_1.member.member_11.member;
-phi_42245_ = type_40(vec3<f32>(_e17389.member, _e17389.member_1, _e17389.member_2), vec3<f32>(_e17397.member, _e17397.member_1, _e17397.member_2));
+phi_42266_ = type_40(vec3<f32>(_e17389.member, _e17389.member_1, _e17389.member_2), vec3<f32>(_e17397.member, _e17397.member_1, _e17397.member_2));
 } else {
 let _e17315 = global_1.member.member_11.member_1;
 if _e4464 {
-phi_42089_ = 1f;
+phi_42110_ = 1f;
 } else {
-phi_42089_ = (1f / select(1e-12f, _e17258, (_e17258 > 1e-12f)));
+phi_42110_ = (1f / select(1e-12f, _e17258, (_e17258 > 1e-12f)));
 }
-let _e17323 = phi_42089_;
+let _e17323 = phi_42110_;
 if _e4464 {
-phi_42173_ = 1f;
+phi_42194_ = 1f;
 } else {
 let _e17328 = global_1.member.member_12.member_20.member;
 let _e17336 = (((_e17328.member * _e17251) + (_e17328.member_1 * _e17252)) + (_e17328.member_2 * _e17253));
@@ -6067,125 +6067,125 @@ let _e17364 = global_1.member.member_12.member_20.member_2;
 let _e17365 = ((_e17358 - (sqrt(select(0f, _e17347, (_e17347 > 0f))) / select(1e-20f, _e17336, (_e17336 > 1e-20f)))) * _e17364);
 let _e17367 = select(0f, _e17365, (_e17365 > 0f));
 let _e17369 = select(1f, _e17367, (_e17367 < 1f));
-phi_42173_ = select(1f, select(0f, ((_e17369 * _e17369) * (3f - (2f * _e17369))), (_e17336 > 0f)), (_e17364 > 0f));
+phi_42194_ = select(1f, select(0f, ((_e17369 * _e17369) * (3f - (2f * _e17369))), (_e17336 > 0f)), (_e17364 > 0f));
 }
-let _e17379 = phi_42173_;
+let _e17379 = phi_42194_;
 let _e17380 = (_e17323 * _e17379);
-phi_42245_ = type_40(vec3<f32>((_e17315.member * _e17380), (_e17315.member_1 * _e17380), (_e17315.member_2 * _e17380)), _e17309);
+phi_42266_ = type_40(vec3<f32>((_e17315.member * _e17380), (_e17315.member_1 * _e17380), (_e17315.member_2 * _e17380)), _e17309);
 }
-let _e17404 = phi_42245_;
-phi_42246_ = _e17404;
+let _e17404 = phi_42266_;
+phi_42267_ = _e17404;
 }
-let _e17835 = phi_42246_;
-let _e17839 = global_1.member.member_23.member_4;
+let _e17823 = phi_42267_;
+let _e17827 = global_1.member.member_23.member_4;
+let _e17835 = (((_e17827.member * _e5563) + (_e17827.member_1 * _e5564)) + (_e17827.member_2 * _e5565));
+let _e17839 = global_1.member.member_23.member_5;
 let _e17847 = (((_e17839.member * _e5563) + (_e17839.member_1 * _e5564)) + (_e17839.member_2 * _e5565));
-let _e17851 = global_1.member.member_23.member_5;
+let _e17851 = global_1.member.member_23.member_6;
 let _e17859 = (((_e17851.member * _e5563) + (_e17851.member_1 * _e5564)) + (_e17851.member_2 * _e5565));
-let _e17863 = global_1.member.member_23.member_6;
-let _e17871 = (((_e17863.member * _e5563) + (_e17863.member_1 * _e5564)) + (_e17863.member_2 * _e5565));
-let _e17875 = global_1.member.member_20.member_1;
-let _e17885 = global_1.member.member_20.member_2;
-let _e17898 = global_1.member.member_20.member_3;
-let _e17911 = global_1.member.member_20.member_4;
-let _e17915 = (_e17847 * _e17847);
-let _e17922 = global_1.member.member_20.member_5;
-let _e17926 = (_e17859 * _e17859);
-let _e17936 = global_1.member.member_20.member_6;
-let _e17940 = (_e17871 * _e17871);
-let _e17950 = global_1.member.member_20.member_7;
-let _e17954 = (_e17847 * _e17859);
-let _e17961 = global_1.member.member_20.member_8;
-let _e17965 = (_e17847 * _e17871);
-let _e17975 = global_1.member.member_20.member_9;
-let _e17979 = (_e17859 * _e17871);
-let _e17992 = ((_e17141.member + (((_e17875.member * _e17847) + (_e17885.member * _e17859)) + (_e17898.member * _e17871))) + ((((_e17911.member * _e17915) + (_e17922.member * _e17926)) + (_e17936.member * _e17940)) + (((_e17950.member * _e17954) + (_e17961.member * _e17965)) + (_e17975.member * _e17979))));
-let _e17993 = ((_e17141.member_1 + (((_e17875.member_1 * _e17847) + (_e17885.member_1 * _e17859)) + (_e17898.member_1 * _e17871))) + ((((_e17911.member_1 * _e17915) + (_e17922.member_1 * _e17926)) + (_e17936.member_1 * _e17940)) + (((_e17950.member_1 * _e17954) + (_e17961.member_1 * _e17965)) + (_e17975.member_1 * _e17979))));
-let _e17994 = ((_e17141.member_2 + (((_e17875.member_2 * _e17847) + (_e17885.member_2 * _e17859)) + (_e17898.member_2 * _e17871))) + ((((_e17911.member_2 * _e17915) + (_e17922.member_2 * _e17926)) + (_e17936.member_2 * _e17940)) + (((_e17950.member_2 * _e17954) + (_e17961.member_2 * _e17965)) + (_e17975.member_2 * _e17979))));
-let _e18009 = (((_e17835.member_1.x * _e17835.member_1.x) + (_e17835.member_1.y * _e17835.member_1.y)) + (_e17835.member_1.z * _e17835.member_1.z));
-let _e18012 = sqrt(select(0f, _e18009, (_e18009 > 0f)));
-let _e18016 = (1e-6f * _e18012);
-let _e18020 = select((_e18012 / select(_e18016, _e17835.member_1.z, (_e17835.member_1.z > _e18016))), 1f, _e17058);
-let _e18035 = (-((((_e5563 * _e17835.member_1.x) + (_e5564 * _e17835.member_1.y)) + (_e5565 * _e17835.member_1.z))) / select(1e-20f, _e18012, (_e18012 > 1e-20f)));
-let _e18040 = bitcast<f32>((bitcast<u32>(select(0f, _e18035, (_e18035 > 0f))) & 2147483647u));
-let _e18053 = (1f - _e17173);
-let _e18067 = select(_e17173, 1f, _e5575);
-let _e18072 = select(_e17178, _e17176, (_e17176 > _e17178));
-phi_42574_ = type_34(vec3<f32>(select(_e5470, _e17195, _e5575), select(_e5471, _e17196, _e5575), select(_e5472, _e17197, _e5575)), vec3<f32>(select((_e8594 + (_e8346.member_4.x * _e9172)), select((_e8594 + (_e9135 * _e9154)), _e8594, _e9155), _e5454), select((_e8595 + (_e8346.member_4.y * _e9172)), select((_e8595 + (_e9136 * _e9154)), _e8595, _e9155), _e5454), select((_e8596 + (_e8346.member_4.z * _e9172)), select((_e8596 + (_e9137 * _e9154)), _e8596, _e9155), _e5454)), _e8346.member, select(4f, 1f, (_e5575 || (((1f - _e18067) * select(_e17180, _e18072, (_e18072 > _e17180))) < 9.765625e-4f))), select(_e17191, (_e17191 + (_e18053 * _e17197)), _e5575), vec3<f32>(select(_e17166, (_e17166 + ((_e17176 * ((select(_e5556.member, _e5545.member, _e5534) * (((_e17835.member.x * _e18020) * _e18040) + select(0f, _e17992, (_e17992 > 0f)))) * _e17074)) * _e18053)), _e5575), select(_e17168, (_e17168 + ((_e17178 * ((select(_e5556.member_1, _e5545.member_1, _e5534) * (((_e17835.member.y * _e18020) * _e18040) + select(0f, _e17993, (_e17993 > 0f)))) * _e17074)) * _e18053)), _e5575), select(_e17170, (_e17170 + ((_e17180 * ((select(_e5556.member_2, _e5545.member_2, _e5534) * (((_e17835.member.z * _e18020) * _e18040) + select(0f, _e17994, (_e17994 > 0f)))) * _e17074)) * _e18053)), _e5575)), _e18067, (_e4699.member_7 * _e10850.member_2), select(0f, _e8346.member_3, (_e4712 != (_e5454 && !((_e9151 && (_e9120 != 0f)))))), -1.2676506e30f, _e4699.member_10, _e4699.member_11, _e4699.member_12);
-phi_42575_ = _e8587.member_2;
-phi_42577_ = _e8346;
+let _e17863 = global_1.member.member_20.member_1;
+let _e17873 = global_1.member.member_20.member_2;
+let _e17886 = global_1.member.member_20.member_3;
+let _e17899 = global_1.member.member_20.member_4;
+let _e17903 = (_e17835 * _e17835);
+let _e17910 = global_1.member.member_20.member_5;
+let _e17914 = (_e17847 * _e17847);
+let _e17924 = global_1.member.member_20.member_6;
+let _e17928 = (_e17859 * _e17859);
+let _e17938 = global_1.member.member_20.member_7;
+let _e17942 = (_e17835 * _e17847);
+let _e17949 = global_1.member.member_20.member_8;
+let _e17953 = (_e17835 * _e17859);
+let _e17963 = global_1.member.member_20.member_9;
+let _e17967 = (_e17847 * _e17859);
+let _e17980 = ((_e17141.member + (((_e17863.member * _e17835) + (_e17873.member * _e17847)) + (_e17886.member * _e17859))) + ((((_e17899.member * _e17903) + (_e17910.member * _e17914)) + (_e17924.member * _e17928)) + (((_e17938.member * _e17942) + (_e17949.member * _e17953)) + (_e17963.member * _e17967))));
+let _e17981 = ((_e17141.member_1 + (((_e17863.member_1 * _e17835) + (_e17873.member_1 * _e17847)) + (_e17886.member_1 * _e17859))) + ((((_e17899.member_1 * _e17903) + (_e17910.member_1 * _e17914)) + (_e17924.member_1 * _e17928)) + (((_e17938.member_1 * _e17942) + (_e17949.member_1 * _e17953)) + (_e17963.member_1 * _e17967))));
+let _e17982 = ((_e17141.member_2 + (((_e17863.member_2 * _e17835) + (_e17873.member_2 * _e17847)) + (_e17886.member_2 * _e17859))) + ((((_e17899.member_2 * _e17903) + (_e17910.member_2 * _e17914)) + (_e17924.member_2 * _e17928)) + (((_e17938.member_2 * _e17942) + (_e17949.member_2 * _e17953)) + (_e17963.member_2 * _e17967))));
+let _e17997 = (((_e17823.member_1.x * _e17823.member_1.x) + (_e17823.member_1.y * _e17823.member_1.y)) + (_e17823.member_1.z * _e17823.member_1.z));
+let _e18000 = sqrt(select(0f, _e17997, (_e17997 > 0f)));
+let _e18004 = (1e-6f * _e18000);
+let _e18008 = select((_e18000 / select(_e18004, _e17823.member_1.z, (_e17823.member_1.z > _e18004))), 1f, _e17058);
+let _e18023 = (-((((_e5563 * _e17823.member_1.x) + (_e5564 * _e17823.member_1.y)) + (_e5565 * _e17823.member_1.z))) / select(1e-20f, _e18000, (_e18000 > 1e-20f)));
+let _e18028 = bitcast<f32>((bitcast<u32>(select(0f, _e18023, (_e18023 > 0f))) & 2147483647u));
+let _e18041 = (1f - _e17173);
+let _e18055 = select(_e17173, 1f, _e5576);
+let _e18060 = select(_e17178, _e17176, (_e17176 > _e17178));
+phi_42595_ = type_34(vec3<f32>(select(_e5470, _e17195, _e5576), select(_e5471, _e17196, _e5576), select(_e5472, _e17197, _e5576)), vec3<f32>(select((_e8594 + (_e8346.member_4.x * _e9172)), select((_e8594 + (_e9135 * _e9154)), _e8594, _e9155), _e5454), select((_e8595 + (_e8346.member_4.y * _e9172)), select((_e8595 + (_e9136 * _e9154)), _e8595, _e9155), _e5454), select((_e8596 + (_e8346.member_4.z * _e9172)), select((_e8596 + (_e9137 * _e9154)), _e8596, _e9155), _e5454)), _e8346.member, select(4f, 1f, (_e5576 || (((1f - _e18055) * select(_e17180, _e18060, (_e18060 > _e17180))) < 9.765625e-4f))), select(_e17191, (_e17191 + (_e18041 * _e17197)), _e5576), vec3<f32>(select(_e17166, (_e17166 + ((_e17176 * ((select(_e5556.member, _e5545.member, _e5534) * (((_e17823.member.x * _e18008) * _e18028) + select(0f, _e17980, (_e17980 > 0f)))) * _e17074)) * _e18041)), _e5576), select(_e17168, (_e17168 + ((_e17178 * ((select(_e5556.member_1, _e5545.member_1, _e5534) * (((_e17823.member.y * _e18008) * _e18028) + select(0f, _e17981, (_e17981 > 0f)))) * _e17074)) * _e18041)), _e5576), select(_e17170, (_e17170 + ((_e17180 * ((select(_e5556.member_2, _e5545.member_2, _e5534) * (((_e17823.member.z * _e18008) * _e18028) + select(0f, _e17982, (_e17982 > 0f)))) * _e17074)) * _e18041)), _e5576)), _e18055, (_e4699.member_7 * _e10850.member_2), select(0f, _e8346.member_3, (_e4712 != (_e5454 && !((_e9151 && (_e9120 != 0f)))))), -1.2676506e30f, _e4699.member_10, _e4699.member_11, _e4699.member_12);
+phi_42596_ = _e8587.member_2;
+phi_42599_ = _e8346;
 }
-let _e18103 = phi_42574_;
-let _e18105 = phi_42575_;
-let _e18107 = phi_42577_;
-phi_10543_ = _e18103;
-phi_10545_ = _e18105;
-phi_10549_ = _e18107;
-phi_10551_ = (_e4705 + 1i);
+let _e18091 = phi_42595_;
+let _e18093 = phi_42596_;
+let _e18095 = phi_42599_;
+phi_10548_ = _e18091;
+phi_10550_ = _e18093;
+phi_10556_ = _e18095;
+phi_10558_ = (_e4705 + 1i);
 } else {
-phi_10543_ = type_34();
-phi_10545_ = f32();
-phi_10549_ = type_37();
-phi_10551_ = i32();
+phi_10548_ = type_34();
+phi_10550_ = f32();
+phi_10556_ = type_37();
+phi_10558_ = i32();
 }
-let _e18109 = phi_10543_;
-let _e18111 = phi_10545_;
-let _e18113 = phi_10549_;
-let _e18115 = phi_10551_;
+let _e18097 = phi_10548_;
+let _e18099 = phi_10550_;
+let _e18101 = phi_10556_;
+let _e18103 = phi_10558_;
 continue;
 continuing {
-phi_10542_ = _e18109;
-phi_10544_ = _e18111;
-phi_10548_ = _e18113;
-phi_10550_ = _e18115;
+phi_10547_ = _e18097;
+phi_10549_ = _e18099;
+phi_10555_ = _e18101;
+phi_10557_ = _e18103;
 break if !(_e4709);
 }
 }
-let _e18118 = local_62;
-let _e18122 = local_63;
-let _e18126 = local_64;
-let _e18130 = local_65;
-let _e18134 = local_66;
-let _e18138 = local_67;
-let _e18142 = local_68;
-let _e18145 = local_69;
-let _e18148 = local_70;
-let _e18152 = local_71;
-let _e18156 = local_72;
-let _e18160 = local_73;
-let _e18163 = local_74;
-let _e18167 = local_75;
-let _e18171 = local_76;
-let _e18175 = local_77;
-let _e18178 = local_78;
-let _e18181 = local_79;
-let _e18184 = local_80;
-let _e18187 = local_81;
-let _e18191 = local_82;
-let _e18195 = local_83;
-global_5.member[_e293] = _e18118.member.x;
-global_5.member[_e305] = _e18122.member.y;
-global_5.member[_e316] = _e18126.member.z;
-global_5.member[_e327] = _e18130.member_1.x;
-global_5.member[_e338] = _e18134.member_1.y;
-global_5.member[_e349] = _e18138.member_1.z;
-global_5.member[_e360] = _e18142.member_2;
-let _e18215 = local_84;
-global_5.member[_e371] = _e18215;
-global_5.member[_e382] = _e18145.member_4;
-global_5.member[_e393] = _e18148.member_5.x;
-global_5.member[_e404] = _e18152.member_5.y;
-global_5.member[_e415] = _e18156.member_5.z;
-global_5.member[_e426] = _e18160.member_6;
-global_5.member[_e437] = _e18163.member_7.x;
-global_5.member[_e448] = _e18167.member_7.y;
-global_5.member[_e459] = _e18171.member_7.z;
-global_5.member[_e470] = _e18175.member_8;
-global_5.member[_e481] = _e18178.member_9;
-global_5.member[_e492] = _e18181.member_10;
-global_5.member[_e503] = _e18184.member_11;
-global_5.member[_e514] = _e18187.member_12.x;
-global_5.member[_e525] = _e18191.member_12.y;
-global_5.member[_e536] = _e18195.member_12.z;
+let _e18106 = local_62;
+let _e18110 = local_63;
+let _e18114 = local_64;
+let _e18118 = local_65;
+let _e18122 = local_66;
+let _e18126 = local_67;
+let _e18130 = local_68;
+let _e18133 = local_69;
+let _e18136 = local_70;
+let _e18140 = local_71;
+let _e18144 = local_72;
+let _e18148 = local_73;
+let _e18151 = local_74;
+let _e18155 = local_75;
+let _e18159 = local_76;
+let _e18163 = local_77;
+let _e18166 = local_78;
+let _e18169 = local_79;
+let _e18172 = local_80;
+let _e18175 = local_81;
+let _e18179 = local_82;
+let _e18183 = local_83;
+global_5.member[_e293] = _e18106.member.x;
+global_5.member[_e305] = _e18110.member.y;
+global_5.member[_e316] = _e18114.member.z;
+global_5.member[_e327] = _e18118.member_1.x;
+global_5.member[_e338] = _e18122.member_1.y;
+global_5.member[_e349] = _e18126.member_1.z;
+global_5.member[_e360] = _e18130.member_2;
+let _e18203 = local_84;
+global_5.member[_e371] = _e18203;
+global_5.member[_e382] = _e18133.member_4;
+global_5.member[_e393] = _e18136.member_5.x;
+global_5.member[_e404] = _e18140.member_5.y;
+global_5.member[_e415] = _e18144.member_5.z;
+global_5.member[_e426] = _e18148.member_6;
+global_5.member[_e437] = _e18151.member_7.x;
+global_5.member[_e448] = _e18155.member_7.y;
+global_5.member[_e459] = _e18159.member_7.z;
+global_5.member[_e470] = _e18163.member_8;
+global_5.member[_e481] = _e18166.member_9;
+global_5.member[_e492] = _e18169.member_10;
+global_5.member[_e503] = _e18172.member_11;
+global_5.member[_e514] = _e18175.member_12.x;
+global_5.member[_e525] = _e18179.member_12.y;
+global_5.member[_e536] = _e18183.member_12.z;
 }
 }
 }

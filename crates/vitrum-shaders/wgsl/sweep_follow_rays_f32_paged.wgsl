@@ -339,73 +339,73 @@ var local_58: f32;
 var local_59: type_30;
 var local_60: vec3<f32>;
 var local_61: type_32;
-var phi_7864_: vec3<f32>;
-var phi_6550_: vec3<f32>;
-var phi_8240_: f32;
-var phi_8241_: vec3<f32>;
-var phi_1071_: vec3<f32>;
-var phi_6203_: type_36;
-var phi_8243_: type_37;
-var phi_8756_: type_38;
-var phi_10091_: type_39;
-var phi_10128_: type_34;
-var phi_10232_: f32;
-var phi_10316_: f32;
-var phi_10388_: type_40;
-var phi_10393_: type_34;
-var phi_10395_: f32;
-var phi_10399_: type_37;
-var phi_10401_: i32;
-var phi_11876_: type_39;
-var phi_11888_: bool;
-var phi_11903_: vec3<f32>;
-var phi_19056_: vec3<f32>;
-var phi_17742_: vec3<f32>;
-var phi_19432_: f32;
-var phi_19433_: vec3<f32>;
-var phi_12263_: vec3<f32>;
-var phi_17395_: type_36;
-var phi_19435_: type_37;
-var phi_19960_: type_38;
-var phi_20156_: vec3<f32>;
-var phi_24870_: type_43;
-var phi_24871_: type_41;
-var phi_24872_: f32;
-var phi_25460_: vec3<f32>;
-var phi_26352_: type_38;
-var phi_30027_: type_42;
-var phi_30378_: type_43;
-var phi_30583_: vec3<f32>;
-var phi_31475_: type_38;
-var phi_35150_: type_42;
-var phi_35501_: type_43;
-var phi_36115_: type_38;
-var phi_36822_: i32;
-var phi_37399_: vec3<f32>;
-var phi_37806_: vec3<f32>;
-var phi_37900_: f32;
-var phi_37942_: f32;
-var phi_38173_: vec3<f32>;
-var phi_39672_: f32;
-var phi_40471_: f32;
-var phi_40481_: type_40;
-var phi_40613_: f32;
-var phi_40656_: f32;
-var phi_41609_: f32;
-var phi_41693_: f32;
-var phi_41765_: type_40;
-var phi_41104_: u32;
-var phi_41440_: f32;
-var phi_41472_: vec3<f32>;
-var phi_41498_: f32;
-var phi_41766_: type_40;
-var phi_42094_: type_34;
-var phi_42095_: f32;
-var phi_42097_: type_37;
-var phi_10394_: type_34;
-var phi_10396_: f32;
-var phi_10400_: type_37;
-var phi_10402_: i32;
+var phi_7869_: vec3<f32>;
+var phi_6555_: vec3<f32>;
+var phi_8245_: f32;
+var phi_8246_: vec3<f32>;
+var phi_1076_: vec3<f32>;
+var phi_6208_: type_36;
+var phi_8248_: type_37;
+var phi_8761_: type_38;
+var phi_10096_: type_39;
+var phi_10133_: type_34;
+var phi_10237_: f32;
+var phi_10321_: f32;
+var phi_10393_: type_40;
+var phi_10398_: type_34;
+var phi_10400_: f32;
+var phi_10406_: type_37;
+var phi_10408_: i32;
+var phi_11883_: type_39;
+var phi_11895_: bool;
+var phi_11910_: vec3<f32>;
+var phi_19063_: vec3<f32>;
+var phi_17749_: vec3<f32>;
+var phi_19439_: f32;
+var phi_19440_: vec3<f32>;
+var phi_12270_: vec3<f32>;
+var phi_17402_: type_36;
+var phi_19442_: type_37;
+var phi_19967_: type_38;
+var phi_20163_: vec3<f32>;
+var phi_24877_: type_43;
+var phi_24878_: type_41;
+var phi_24879_: f32;
+var phi_25473_: vec3<f32>;
+var phi_26365_: type_38;
+var phi_30040_: type_42;
+var phi_30391_: type_43;
+var phi_30596_: vec3<f32>;
+var phi_31488_: type_38;
+var phi_35163_: type_42;
+var phi_35514_: type_43;
+var phi_36128_: type_38;
+var phi_36835_: i32;
+var phi_37412_: vec3<f32>;
+var phi_37819_: vec3<f32>;
+var phi_37913_: f32;
+var phi_37955_: f32;
+var phi_38186_: vec3<f32>;
+var phi_39685_: f32;
+var phi_40484_: f32;
+var phi_40494_: type_40;
+var phi_40626_: f32;
+var phi_40669_: f32;
+var phi_41630_: f32;
+var phi_41714_: f32;
+var phi_41786_: type_40;
+var phi_41125_: u32;
+var phi_41461_: f32;
+var phi_41493_: vec3<f32>;
+var phi_41519_: f32;
+var phi_41787_: type_40;
+var phi_42115_: type_34;
+var phi_42116_: f32;
+var phi_42119_: type_37;
+var phi_10399_: type_34;
+var phi_10401_: f32;
+var phi_10407_: type_37;
+var phi_10409_: i32;
 var local_62: type_34;
 var local_63: type_34;
 var local_64: type_34;
@@ -577,7 +577,7 @@ let _e1936 = select(_e1929, _e619, (_e619 > _e1929));
 let _e1938 = select(_e1934, _e1936, (_e1936 < _e1934));
 let _e1943 = global_1.member.member_8.member_15;
 if (_e1943 == 0u) {
-phi_1071_ = vec3<f32>(_e1910, _e1924, _e1938);
+phi_1076_ = vec3<f32>(_e1910, _e1924, _e1938);
 } else {
 let _e1945 = (_e1910 + 0.5f);
 let _e1950 = global_1.member.member_8.member_3.member;
@@ -597,9 +597,9 @@ let _e1997 = (_e1996 - 1f);
 let _e1999 = select(0f, _e1991, (_e1991 > 0f));
 let _e2001 = select(_e1997, _e1999, (_e1999 < _e1997));
 let _e2008 = select(0i, select(select(i32(_e2001), i32(-2147483648), (_e2001 < -2147483600f)), 2147483647i, (_e2001 > 2147483500f)), (_e2001 == _e2001));
-phi_1071_ = vec3<f32>(f32((_e1962 - select(0i, 1i, (_e1955 < f32(_e1962))))), f32((_e1985 - select(0i, 1i, (_e1978 < f32(_e1985))))), f32((_e2008 - select(0i, 1i, (_e2001 < f32(_e2008))))));
+phi_1076_ = vec3<f32>(f32((_e1962 - select(0i, 1i, (_e1955 < f32(_e1962))))), f32((_e1985 - select(0i, 1i, (_e1978 < f32(_e1985))))), f32((_e2008 - select(0i, 1i, (_e2001 < f32(_e2008))))));
 }
-let _e2016 = phi_1071_;
+let _e2016 = phi_1076_;
 let _e2022 = global_1.member.member_8.member_3.member;
 let _e2024 = select(-1f, _e2016.x, (_e2016.x > -1f));
 let _e2026 = select(_e2022, _e2024, (_e2024 < _e2022));
@@ -966,7 +966,7 @@ if _e627 {
 let _e3384 = ((0.5f * (_e2675 - _e2669)) * _e2933);
 let _e3385 = ((0.5f * (_e2687 - _e2681)) * _e2933);
 let _e3386 = ((0.5f * (_e2699 - _e2693)) * _e2933);
-phi_6203_ = type_36(_e2895, vec3<f32>(_e3384, _e3385, _e3386), vec3<f32>((_e3384 * _e2895), (_e3385 * _e2895), (_e3386 * _e2895)));
+phi_6208_ = type_36(_e2895, vec3<f32>(_e3384, _e3385, _e3386), vec3<f32>((_e3384 * _e2895), (_e3385 * _e2895), (_e3386 * _e2895)));
 } else {
 local_55 = _e2669;
 let _e2934 = local_55;
@@ -1115,9 +1115,9 @@ let _e3359 = ((_e2880 + (f32(bitcast<i32>((_e3344 >> bitcast<u32>(12u)))) * _e28
 let _e3360 = (_e3075 - _e3004);
 let _e3362 = (_e3217 - _e3146);
 let _e3364 = (_e3359 - _e3288);
-phi_6203_ = type_36(_e2895, vec3<f32>((0.5f * _e3360), (0.5f * _e3362), (0.5f * _e3364)), vec3<f32>((0.25f * (_e3360 * (_e3075 + _e3004))), (0.25f * (_e3362 * (_e3217 + _e3146))), (0.25f * (_e3364 * (_e3359 + _e3288)))));
+phi_6208_ = type_36(_e2895, vec3<f32>((0.5f * _e3360), (0.5f * _e3362), (0.5f * _e3364)), vec3<f32>((0.25f * (_e3360 * (_e3075 + _e3004))), (0.25f * (_e3362 * (_e3217 + _e3146))), (0.25f * (_e3364 * (_e3359 + _e3288)))));
 }
-let _e3394 = phi_6203_;
+let _e3394 = phi_6208_;
 let _e3409 = select(0f, 1f, ((((((_e589 >= _e1901) && (_e589 <= _e1906)) && (_e604 >= _e1915)) && (_e604 <= _e1920)) && (_e619 >= _e1929)) && (_e619 <= _e1934)));
 let _e3411 = (0.5f * (_e2675 - _e2669));
 let _e3413 = (0.5f * (_e2687 - _e2681));
@@ -1134,7 +1134,7 @@ let _e3469 = global_1.member.member_8.member_2.member.member_2;
 let _e3474 = (((_e3421 * _e3411) + (_e3439 * _e3413)) + (_e3457 * _e3415));
 let _e3479 = (((_e3427 * _e3411) + (_e3445 * _e3413)) + (_e3463 * _e3415));
 let _e3484 = (((_e3433 * _e3411) + (_e3451 * _e3413)) + (_e3469 * _e3415));
-phi_8243_ = type_37(_e2663, vec3<f32>((_e3474 * _e3409), (_e3479 * _e3409), (_e3484 * _e3409)), vec3<f32>(_e3474, _e3479, _e3484), _e3394.member, vec3<f32>(((((_e3421 * _e3394.member_2.x) + (_e3439 * _e3394.member_2.y)) + (_e3457 * _e3394.member_2.z)) * _e3409), ((((_e3427 * _e3394.member_2.x) + (_e3445 * _e3394.member_2.y)) + (_e3463 * _e3394.member_2.z)) * _e3409), ((((_e3433 * _e3394.member_2.x) + (_e3451 * _e3394.member_2.y)) + (_e3469 * _e3394.member_2.z)) * _e3409)), vec3<f32>(((((_e3421 * _e3394.member_1.x) + (_e3439 * _e3394.member_1.y)) + (_e3457 * _e3394.member_1.z)) * _e3409), ((((_e3427 * _e3394.member_1.x) + (_e3445 * _e3394.member_1.y)) + (_e3463 * _e3394.member_1.z)) * _e3409), ((((_e3433 * _e3394.member_1.x) + (_e3451 * _e3394.member_1.y)) + (_e3469 * _e3394.member_1.z)) * _e3409)));
+phi_8248_ = type_37(_e2663, vec3<f32>((_e3474 * _e3409), (_e3479 * _e3409), (_e3484 * _e3409)), vec3<f32>(_e3474, _e3479, _e3484), _e3394.member, vec3<f32>(((((_e3421 * _e3394.member_2.x) + (_e3439 * _e3394.member_2.y)) + (_e3457 * _e3394.member_2.z)) * _e3409), ((((_e3427 * _e3394.member_2.x) + (_e3445 * _e3394.member_2.y)) + (_e3463 * _e3394.member_2.z)) * _e3409), ((((_e3433 * _e3394.member_2.x) + (_e3451 * _e3394.member_2.y)) + (_e3469 * _e3394.member_2.z)) * _e3409)), vec3<f32>(((((_e3421 * _e3394.member_1.x) + (_e3439 * _e3394.member_1.y)) + (_e3457 * _e3394.member_1.z)) * _e3409), ((((_e3427 * _e3394.member_1.x) + (_e3445 * _e3394.member_1.y)) + (_e3463 * _e3394.member_1.z)) * _e3409), ((((_e3433 * _e3394.member_1.x) + (_e3451 * _e3394.member_1.y)) + (_e3469 * _e3394.member_1.z)) * _e3409)));
 } else {
 if (_e279.member_2 == 8u) {
 let _e1017 = global_1.member.member_8.member_4.member;
@@ -1151,7 +1151,7 @@ let _e1052 = select(_e1045, _e619, (_e619 > _e1045));
 let _e1054 = select(_e1050, _e1052, (_e1052 < _e1050));
 let _e1059 = global_1.member.member_8.member_15;
 if (_e1059 == 0u) {
-phi_6550_ = vec3<f32>(_e1026, _e1040, _e1054);
+phi_6555_ = vec3<f32>(_e1026, _e1040, _e1054);
 } else {
 let _e1061 = (_e1026 + 0.5f);
 let _e1066 = global_1.member.member_8.member_3.member;
@@ -1171,9 +1171,9 @@ let _e1113 = (_e1112 - 1f);
 let _e1115 = select(0f, _e1107, (_e1107 > 0f));
 let _e1117 = select(_e1113, _e1115, (_e1115 < _e1113));
 let _e1124 = select(0i, select(select(i32(_e1117), i32(-2147483648), (_e1117 < -2147483600f)), 2147483647i, (_e1117 > 2147483500f)), (_e1117 == _e1117));
-phi_6550_ = vec3<f32>(f32((_e1078 - select(0i, 1i, (_e1071 < f32(_e1078))))), f32((_e1101 - select(0i, 1i, (_e1094 < f32(_e1101))))), f32((_e1124 - select(0i, 1i, (_e1117 < f32(_e1124))))));
+phi_6555_ = vec3<f32>(f32((_e1078 - select(0i, 1i, (_e1071 < f32(_e1078))))), f32((_e1101 - select(0i, 1i, (_e1094 < f32(_e1101))))), f32((_e1124 - select(0i, 1i, (_e1117 < f32(_e1124))))));
 }
-let _e1132 = phi_6550_;
+let _e1132 = phi_6555_;
 let _e1138 = global_1.member.member_8.member_3.member;
 let _e1140 = select(-1f, _e1132.x, (_e1132.x > -1f));
 let _e1142 = select(_e1138, _e1140, (_e1140 < _e1138));
@@ -1458,8 +1458,8 @@ let _e1857 = global_1.member.member_8.member_1.member.member_2;
 let _e1863 = global_1.member.member_8.member_2.member.member;
 let _e1869 = global_1.member.member_8.member_2.member.member_1;
 let _e1875 = global_1.member.member_8.member_2.member.member_2;
-phi_8240_ = select(1e9f, _e1777, (_e1777 < 1e9f));
-phi_8241_ = vec3<f32>((((_e1827 * _e1817) + (_e1845 * _e1819)) + (_e1863 * _e1821)), (((_e1833 * _e1817) + (_e1851 * _e1819)) + (_e1869 * _e1821)), (((_e1839 * _e1817) + (_e1857 * _e1819)) + (_e1875 * _e1821)));
+phi_8245_ = select(1e9f, _e1777, (_e1777 < 1e9f));
+phi_8246_ = vec3<f32>((((_e1827 * _e1817) + (_e1845 * _e1819)) + (_e1863 * _e1821)), (((_e1833 * _e1817) + (_e1851 * _e1819)) + (_e1869 * _e1821)), (((_e1839 * _e1817) + (_e1857 * _e1819)) + (_e1875 * _e1821)));
 } else {
 let _e634 = global_1.member.member_8.member_4.member;
 let _e639 = global_1.member.member_8.member_5.member;
@@ -1475,7 +1475,7 @@ let _e669 = select(_e662, _e619, (_e619 > _e662));
 let _e671 = select(_e667, _e669, (_e669 < _e667));
 let _e676 = global_1.member.member_8.member_15;
 if (_e676 == 0u) {
-phi_7864_ = vec3<f32>(_e643, _e657, _e671);
+phi_7869_ = vec3<f32>(_e643, _e657, _e671);
 } else {
 let _e678 = (_e643 + 0.5f);
 let _e683 = global_1.member.member_8.member_3.member;
@@ -1495,9 +1495,9 @@ let _e730 = (_e729 - 1f);
 let _e732 = select(0f, _e724, (_e724 > 0f));
 let _e734 = select(_e730, _e732, (_e732 < _e730));
 let _e741 = select(0i, select(select(i32(_e734), i32(-2147483648), (_e734 < -2147483600f)), 2147483647i, (_e734 > 2147483500f)), (_e734 == _e734));
-phi_7864_ = vec3<f32>(f32((_e695 - select(0i, 1i, (_e688 < f32(_e695))))), f32((_e718 - select(0i, 1i, (_e711 < f32(_e718))))), f32((_e741 - select(0i, 1i, (_e734 < f32(_e741))))));
+phi_7869_ = vec3<f32>(f32((_e695 - select(0i, 1i, (_e688 < f32(_e695))))), f32((_e718 - select(0i, 1i, (_e711 < f32(_e718))))), f32((_e741 - select(0i, 1i, (_e734 < f32(_e741))))));
 }
-let _e749 = phi_7864_;
+let _e749 = phi_7869_;
 let _e755 = global_1.member.member_8.member_3.member;
 let _e757 = select(-1f, _e749.x, (_e749.x > -1f));
 let _e759 = select(_e755, _e757, (_e757 < _e755));
@@ -1588,18 +1588,18 @@ let _e1005 = global_1.member.member_8.member_7;
 let _e1007 = (((_e938 + (((_e963 + (((_e974 + ((bitcast<f32>(_e983) - _e974) * _e985)) - _e963) * _e989)) - _e938) * _e994)) - _e1001) * _e1005);
 let _e1008 = -(1e9f);
 let _e1010 = select(_e1008, _e1007, (_e1007 > _e1008));
-phi_8240_ = select(1e9f, _e1010, (_e1010 < 1e9f));
-phi_8241_ = vec3<f32>(0f, 0f, 0f);
+phi_8245_ = select(1e9f, _e1010, (_e1010 < 1e9f));
+phi_8246_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e1893 = phi_8240_;
-let _e1895 = phi_8241_;
-phi_8243_ = type_37(_e1893, vec3<f32>(0f, 0f, 0f), _e1895, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e1893 = phi_8245_;
+let _e1895 = phi_8246_;
+phi_8248_ = type_37(_e1893, vec3<f32>(0f, 0f, 0f), _e1895, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3536 = phi_8243_;
+let _e3536 = phi_8248_;
 let _e3539 = global_1.member.member_1;
 let _e3541 = ((_e3539 & 16u) == 0u);
 if _e3541 {
-phi_8756_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_8761_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e3545 = global_1.member.member_16.member;
 let _e3556 = ((((_e3545.member.member * _e305) + (_e3545.member.member_1 * _e315)) + (_e3545.member.member_2 * _e326)) + _e3545.member_1);
@@ -1665,9 +1665,9 @@ let _e3731 = global_1.member.member_19.member_1;
 let _e3732 = (_e3731 != 0u);
 let _e3737 = select(0f, _e3726, _e3732);
 let _e3738 = select(1f, _e3727, _e3732);
-phi_8756_ = type_38(type_35(select(_e3726, _e3683, (_e3683 > _e3726)), select(_e3727, _e3685, (_e3685 < _e3727))), type_35(select(_e3737, _e3689, (_e3689 > _e3737)), select(_e3738, _e3691, (_e3691 < _e3738))), ((((1f * select(1f, 0f, (_e3579 && _e3571))) * select(1f, 0f, (_e3630 && _e3622))) * select(1f, 0f, (_e3681 && _e3673))) * select(1f, 0f, (_e3732 && _e3724))));
+phi_8761_ = type_38(type_35(select(_e3726, _e3683, (_e3683 > _e3726)), select(_e3727, _e3685, (_e3685 < _e3727))), type_35(select(_e3737, _e3689, (_e3689 > _e3737)), select(_e3738, _e3691, (_e3691 < _e3738))), ((((1f * select(1f, 0f, (_e3579 && _e3571))) * select(1f, 0f, (_e3630 && _e3622))) * select(1f, 0f, (_e3681 && _e3673))) * select(1f, 0f, (_e3732 && _e3724))));
 }
-let _e3750 = phi_8756_;
+let _e3750 = phi_8761_;
 if _e547 {
 let _e3752 = type_34(_e569, _e570, _e370, 4f, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
 let _e3757 = global_1.member.member_7.member_2;
@@ -1793,7 +1793,7 @@ let _e4078 = select(select(select(select(select(select(0f, _e3789.member, _e3859
 let _e4079 = select(select(select(select(select(select(0f, _e3789.member_1, _e3859), _e3789.member_1, _e3899), _e3797.member_1, _e3939), _e3797.member_1, _e3979), _e3805.member_1, _e4019), _e3805.member_1, _e4059);
 let _e4080 = select(select(select(select(select(select(1f, _e3789.member_2, _e3859), _e3789.member_2, _e3899), _e3797.member_2, _e3939), _e3797.member_2, _e3979), _e3805.member_2, _e4019), _e3805.member_2, _e4059);
 if _e3541 {
-phi_10091_ = type_39(_e4065, vec3<f32>(_e4066, _e4067, _e4068), _e4070, vec3<f32>(_e4071, _e4072, _e4073), _e4075, _e4077, vec3<f32>(_e4078, _e4079, _e4080));
+phi_10096_ = type_39(_e4065, vec3<f32>(_e4066, _e4067, _e4068), _e4070, vec3<f32>(_e4071, _e4072, _e4073), _e4075, _e4077, vec3<f32>(_e4078, _e4079, _e4080));
 } else {
 let _e4087 = (((_e3789.member * _e3789.member) + (_e3789.member_1 * _e3789.member_1)) + (_e3789.member_2 * _e3789.member_2));
 let _e4090 = sqrt(select(0f, _e4087, (_e4087 > 0f)));
@@ -1873,21 +1873,21 @@ let _e4374 = select(2f, select(0f, _e4366, (_e4347 < 0f)), (_e4348 > 0f));
 let _e4375 = (_e4347 > _e4313);
 let _e4379 = ((_e4370 > _e4305) || ((_e4370 == _e4305) && _e4375));
 let _e4380 = (_e4374 < _e4309);
-phi_10091_ = type_39(select(_e4305, _e4370, _e4379), vec3<f32>(select(select(select(select(_e4066, _e4125.member, _e4151), _e4201.member, _e4227), _e4277.member, _e4303), _e4353.member, _e4379), select(select(select(select(_e4067, _e4125.member_1, _e4151), _e4201.member_1, _e4227), _e4277.member_1, _e4303), _e4353.member_1, _e4379), select(select(select(select(_e4068, _e4125.member_2, _e4151), _e4201.member_2, _e4227), _e4277.member_2, _e4303), _e4353.member_2, _e4379)), select(_e4309, _e4374, _e4380), vec3<f32>(select(select(select(select(_e4071, _e4125.member, _e4152), _e4201.member, _e4228), _e4277.member, _e4304), _e4353.member, _e4380), select(select(select(select(_e4072, _e4125.member_1, _e4152), _e4201.member_1, _e4228), _e4277.member_1, _e4304), _e4353.member_1, _e4380), select(select(select(select(_e4073, _e4125.member_2, _e4152), _e4201.member_2, _e4228), _e4277.member_2, _e4304), _e4353.member_2, _e4380)), select(_e4313, _e4347, _e4375), select(_e4315, _e4348, (_e4348 > _e4315)), vec3<f32>(select(select(select(select(_e4078, _e4125.member, _e4147), _e4201.member, _e4223), _e4277.member, _e4299), _e4353.member, _e4375), select(select(select(select(_e4079, _e4125.member_1, _e4147), _e4201.member_1, _e4223), _e4277.member_1, _e4299), _e4353.member_1, _e4375), select(select(select(select(_e4080, _e4125.member_2, _e4147), _e4201.member_2, _e4223), _e4277.member_2, _e4299), _e4353.member_2, _e4375)));
+phi_10096_ = type_39(select(_e4305, _e4370, _e4379), vec3<f32>(select(select(select(select(_e4066, _e4125.member, _e4151), _e4201.member, _e4227), _e4277.member, _e4303), _e4353.member, _e4379), select(select(select(select(_e4067, _e4125.member_1, _e4151), _e4201.member_1, _e4227), _e4277.member_1, _e4303), _e4353.member_1, _e4379), select(select(select(select(_e4068, _e4125.member_2, _e4151), _e4201.member_2, _e4227), _e4277.member_2, _e4303), _e4353.member_2, _e4379)), select(_e4309, _e4374, _e4380), vec3<f32>(select(select(select(select(_e4071, _e4125.member, _e4152), _e4201.member, _e4228), _e4277.member, _e4304), _e4353.member, _e4380), select(select(select(select(_e4072, _e4125.member_1, _e4152), _e4201.member_1, _e4228), _e4277.member_1, _e4304), _e4353.member_1, _e4380), select(select(select(select(_e4073, _e4125.member_2, _e4152), _e4201.member_2, _e4228), _e4277.member_2, _e4304), _e4353.member_2, _e4380)), select(_e4313, _e4347, _e4375), select(_e4315, _e4348, (_e4348 > _e4315)), vec3<f32>(select(select(select(select(_e4078, _e4125.member, _e4147), _e4201.member, _e4223), _e4277.member, _e4299), _e4353.member, _e4375), select(select(select(select(_e4079, _e4125.member_1, _e4147), _e4201.member_1, _e4223), _e4277.member_1, _e4299), _e4353.member_1, _e4375), select(select(select(select(_e4080, _e4125.member_2, _e4147), _e4201.member_2, _e4223), _e4277.member_2, _e4299), _e4353.member_2, _e4375)));
 }
-let _e4400 = phi_10091_;
+let _e4400 = phi_10096_;
 let _e4410 = (select(select(0.5f, _e4400.member_2, (_e4400.member_2 < 1f)), 0f, (_e491 == -1.2676506e30f)) * ((_e3757 / _e359) * select(_e3750.member_2, 0f, (_e480 == 0f))));
-phi_10128_ = type_34(_e3752.member, vec3<f32>((_e337 - (_e3536.member_4.x * _e4410)), (_e348 - (_e3536.member_4.y * _e4410)), (_e359 - (_e3536.member_4.z * _e4410))), _e3752.member_2, _e3752.member_3, _e3752.member_4, _e3752.member_5, _e3752.member_6, _e3752.member_7, _e3752.member_8, _e3752.member_9, _e3752.member_10, _e3752.member_11, _e3752.member_12);
+phi_10133_ = type_34(_e3752.member, vec3<f32>((_e337 - (_e3536.member_4.x * _e4410)), (_e348 - (_e3536.member_4.y * _e4410)), (_e359 - (_e3536.member_4.z * _e4410))), _e3752.member_2, _e3752.member_3, _e3752.member_4, _e3752.member_5, _e3752.member_6, _e3752.member_7, _e3752.member_8, _e3752.member_9, _e3752.member_10, _e3752.member_11, _e3752.member_12);
 } else {
-phi_10128_ = type_34(_e569, _e570, _e370, _e381, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
+phi_10133_ = type_34(_e569, _e570, _e370, _e381, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
 }
-let _e4435 = phi_10128_;
+let _e4435 = phi_10133_;
 let _e4440 = global_1.member.member_12.member_3;
 let _e4441 = (_e4440 == 0u);
 if _e4441 {
 let _e4659 = global_1.member.member_11.member_1;
 let _e4667 = global_1.member.member_11.member;
-phi_10388_ = type_40(vec3<f32>(_e4659.member, _e4659.member_1, _e4659.member_2), vec3<f32>(_e4667.member, _e4667.member_1, _e4667.member_2));
+phi_10393_ = type_40(vec3<f32>(_e4659.member, _e4659.member_1, _e4659.member_2), vec3<f32>(_e4667.member, _e4667.member_1, _e4667.member_2));
 } else {
 let _e4445 = global_1.member.member_12.member;
 let _e4459 = ((((_e4445.member.member * _e4435.member.x) + (_e4445.member.member_1 * _e4435.member.y)) + (_e4445.member.member_2 * _e4435.member.z)) + _e4445.member_1);
@@ -1897,18 +1897,18 @@ let _e4478 = global_1.member.member_12.member_2;
 let _e4489 = ((((_e4478.member.member * _e4435.member.x) + (_e4478.member.member_1 * _e4435.member.y)) + (_e4478.member.member_2 * _e4435.member.z)) + _e4478.member_1);
 let _e4493 = global_1.member.member_11.member_1;
 if _e4441 {
-phi_10232_ = 1f;
+phi_10237_ = 1f;
 } else {
 let _e4500 = global_1.member.member_12.member_19;
 let _e4504 = (_e4459 - _e4500.member);
 let _e4505 = (_e4474 - _e4500.member_1);
 let _e4506 = (_e4489 - _e4500.member_2);
 let _e4511 = (((_e4504 * _e4504) + (_e4505 * _e4505)) + (_e4506 * _e4506));
-phi_10232_ = (1f / select(1e-12f, _e4511, (_e4511 > 1e-12f)));
+phi_10237_ = (1f / select(1e-12f, _e4511, (_e4511 > 1e-12f)));
 }
-let _e4516 = phi_10232_;
+let _e4516 = phi_10237_;
 if _e4441 {
-phi_10316_ = 1f;
+phi_10321_ = 1f;
 } else {
 let _e4520 = global_1.member.member_12.member_19;
 let _e4524 = (_e4459 - _e4520.member);
@@ -1925,9 +1925,9 @@ let _e4567 = global_1.member.member_12.member_20.member_2;
 let _e4568 = ((_e4561 - (sqrt(select(0f, _e4550, (_e4550 > 0f))) / select(1e-20f, _e4539, (_e4539 > 1e-20f)))) * _e4567);
 let _e4570 = select(0f, _e4568, (_e4568 > 0f));
 let _e4572 = select(1f, _e4570, (_e4570 < 1f));
-phi_10316_ = select(1f, select(0f, ((_e4572 * _e4572) * (3f - (2f * _e4572))), (_e4539 > 0f)), (_e4567 > 0f));
+phi_10321_ = select(1f, select(0f, ((_e4572 * _e4572) * (3f - (2f * _e4572))), (_e4539 > 0f)), (_e4567 > 0f));
 }
-let _e4582 = phi_10316_;
+let _e4582 = phi_10321_;
 let _e4583 = (_e4516 * _e4582);
 let _e4588 = (_e4440 != 0u);
 let _e4592 = global_1.member.member_12.member_19;
@@ -1943,18 +1943,18 @@ let _e4615 = select(1f, (_e4598 * _e4609), _e4588);
 let _e4620 = global_1.member.member_12.member.member;
 let _e4631 = global_1.member.member_12.member_1.member;
 let _e4645 = global_1.member.member_12.member_2.member;
-phi_10388_ = type_40(vec3<f32>((_e4493.member * _e4583), (_e4493.member_1 * _e4583), (_e4493.member_2 * _e4583)), (vec3<f32>(((_e4620.member * _e4613) + (_e4631.member * _e4614)), ((_e4620.member_1 * _e4613) + (_e4631.member_1 * _e4614)), ((_e4620.member_2 * _e4613) + (_e4631.member_2 * _e4614))) + vec3<f32>((_e4645.member * _e4615), (_e4645.member_1 * _e4615), (_e4645.member_2 * _e4615))));
+phi_10393_ = type_40(vec3<f32>((_e4493.member * _e4583), (_e4493.member_1 * _e4583), (_e4493.member_2 * _e4583)), (vec3<f32>(((_e4620.member * _e4613) + (_e4631.member * _e4614)), ((_e4620.member_1 * _e4613) + (_e4631.member_1 * _e4614)), ((_e4620.member_2 * _e4613) + (_e4631.member_2 * _e4614))) + vec3<f32>((_e4645.member * _e4615), (_e4645.member_1 * _e4615), (_e4645.member_2 * _e4615))));
 }
-let _e4674 = phi_10388_;
-phi_10393_ = _e4435;
-phi_10395_ = _e3750.member_2;
-phi_10399_ = _e3536;
-phi_10401_ = 0i;
+let _e4674 = phi_10393_;
+phi_10398_ = _e4435;
+phi_10400_ = _e3750.member_2;
+phi_10406_ = _e3536;
+phi_10408_ = 0i;
 loop {
-let _e4676 = phi_10393_;
-let _e4678 = phi_10395_;
-let _e4680 = phi_10399_;
-let _e4682 = phi_10401_;
+let _e4676 = phi_10398_;
+let _e4678 = phi_10400_;
+let _e4680 = phi_10406_;
+let _e4682 = phi_10408_;
 local_62 = _e4676;
 local_63 = _e4676;
 local_64 = _e4676;
@@ -2128,7 +2128,7 @@ let _e5109 = select(select(select(select(select(select(0f, _e4757.member, _e4890
 let _e5110 = select(select(select(select(select(select(0f, _e4757.member_1, _e4890), _e4757.member_1, _e4930), _e4828.member_1, _e4970), _e4828.member_1, _e5010), _e4836.member_1, _e5050), _e4836.member_1, _e5090);
 let _e5111 = select(select(select(select(select(select(1f, _e4757.member_2, _e4890), _e4757.member_2, _e4930), _e4828.member_2, _e4970), _e4828.member_2, _e5010), _e4836.member_2, _e5050), _e4836.member_2, _e5090);
 if _e3541 {
-phi_11876_ = type_39(_e5096, vec3<f32>(_e5097, _e5098, _e5099), _e5101, vec3<f32>(_e5102, _e5103, _e5104), _e5106, _e5108, vec3<f32>(_e5109, _e5110, _e5111));
+phi_11883_ = type_39(_e5096, vec3<f32>(_e5097, _e5098, _e5099), _e5101, vec3<f32>(_e5102, _e5103, _e5104), _e5106, _e5108, vec3<f32>(_e5109, _e5110, _e5111));
 } else {
 let _e5117 = global_1.member.member_16.member_1;
 let _e5118 = (_e5117 != 0u);
@@ -2206,26 +2206,26 @@ let _e5397 = select(2f, select(0f, _e5389, (_e5370 < 0f)), (_e5371 > 0f));
 let _e5398 = (_e5370 > _e5336);
 let _e5402 = ((_e5393 > _e5328) || ((_e5393 == _e5328) && _e5398));
 let _e5403 = (_e5397 < _e5332);
-phi_11876_ = type_39(select(_e5328, _e5393, _e5402), vec3<f32>(select(select(select(select(_e5097, _e5148.member, _e5174), _e5224.member, _e5250), _e5300.member, _e5326), _e5376.member, _e5402), select(select(select(select(_e5098, _e5148.member_1, _e5174), _e5224.member_1, _e5250), _e5300.member_1, _e5326), _e5376.member_1, _e5402), select(select(select(select(_e5099, _e5148.member_2, _e5174), _e5224.member_2, _e5250), _e5300.member_2, _e5326), _e5376.member_2, _e5402)), select(_e5332, _e5397, _e5403), vec3<f32>(select(select(select(select(_e5102, _e5148.member, _e5175), _e5224.member, _e5251), _e5300.member, _e5327), _e5376.member, _e5403), select(select(select(select(_e5103, _e5148.member_1, _e5175), _e5224.member_1, _e5251), _e5300.member_1, _e5327), _e5376.member_1, _e5403), select(select(select(select(_e5104, _e5148.member_2, _e5175), _e5224.member_2, _e5251), _e5300.member_2, _e5327), _e5376.member_2, _e5403)), select(_e5336, _e5370, _e5398), select(_e5338, _e5371, (_e5371 > _e5338)), vec3<f32>(select(select(select(select(_e5109, _e5148.member, _e5170), _e5224.member, _e5246), _e5300.member, _e5322), _e5376.member, _e5398), select(select(select(select(_e5110, _e5148.member_1, _e5170), _e5224.member_1, _e5246), _e5300.member_1, _e5322), _e5376.member_1, _e5398), select(select(select(select(_e5111, _e5148.member_2, _e5170), _e5224.member_2, _e5246), _e5300.member_2, _e5322), _e5376.member_2, _e5398)));
+phi_11883_ = type_39(select(_e5328, _e5393, _e5402), vec3<f32>(select(select(select(select(_e5097, _e5148.member, _e5174), _e5224.member, _e5250), _e5300.member, _e5326), _e5376.member, _e5402), select(select(select(select(_e5098, _e5148.member_1, _e5174), _e5224.member_1, _e5250), _e5300.member_1, _e5326), _e5376.member_1, _e5402), select(select(select(select(_e5099, _e5148.member_2, _e5174), _e5224.member_2, _e5250), _e5300.member_2, _e5326), _e5376.member_2, _e5402)), select(_e5332, _e5397, _e5403), vec3<f32>(select(select(select(select(_e5102, _e5148.member, _e5175), _e5224.member, _e5251), _e5300.member, _e5327), _e5376.member, _e5403), select(select(select(select(_e5103, _e5148.member_1, _e5175), _e5224.member_1, _e5251), _e5300.member_1, _e5327), _e5376.member_1, _e5403), select(select(select(select(_e5104, _e5148.member_2, _e5175), _e5224.member_2, _e5251), _e5300.member_2, _e5327), _e5376.member_2, _e5403)), select(_e5336, _e5370, _e5398), select(_e5338, _e5371, (_e5371 > _e5338)), vec3<f32>(select(select(select(select(_e5109, _e5148.member, _e5170), _e5224.member, _e5246), _e5300.member, _e5322), _e5376.member, _e5398), select(select(select(select(_e5110, _e5148.member_1, _e5170), _e5224.member_1, _e5246), _e5300.member_1, _e5322), _e5376.member_1, _e5398), select(select(select(select(_e5111, _e5148.member_2, _e5170), _e5224.member_2, _e5246), _e5300.member_2, _e5322), _e5376.member_2, _e5398)));
 }
-let _e5423 = phi_11876_;
+let _e5423 = phi_11883_;
 if _e4689 {
-phi_11888_ = (_e5423.member_2 <= 1f);
+phi_11895_ = (_e5423.member_2 <= 1f);
 } else {
-phi_11888_ = ((_e5423.member <= 1f) && (_e5423.member < _e5423.member_2));
+phi_11895_ = ((_e5423.member <= 1f) && (_e5423.member < _e5423.member_2));
 }
-let _e5431 = phi_11888_;
+let _e5431 = phi_11895_;
 if (!(_e4689) && !(_e5431)) {
-phi_42094_ = type_34(_e4676.member, _e4676.member_1, _e4676.member_2, 3f, _e4676.member_4, _e4676.member_5, _e4676.member_6, _e4676.member_7, _e4676.member_8, _e4676.member_9, _e4676.member_10, _e4676.member_11, _e4676.member_12);
-phi_42095_ = _e4678;
-phi_42097_ = _e4680;
+phi_42115_ = type_34(_e4676.member, _e4676.member_1, _e4676.member_2, 3f, _e4676.member_4, _e4676.member_5, _e4676.member_6, _e4676.member_7, _e4676.member_8, _e4676.member_9, _e4676.member_10, _e4676.member_11, _e4676.member_12);
+phi_42116_ = _e4678;
+phi_42119_ = _e4680;
 } else {
 if _e4689 {
-phi_11903_ = _e5423.member_3;
+phi_11910_ = _e5423.member_3;
 } else {
-phi_11903_ = _e5423.member_1;
+phi_11910_ = _e5423.member_1;
 }
-let _e5438 = phi_11903_;
+let _e5438 = phi_11910_;
 let _e5439 = select(_e5423.member, _e5423.member_2, _e4689);
 let _e5443 = select(1f, _e5439, _e5431);
 let _e5447 = (_e4676.member.x + ((_e4783 - _e4676.member.x) * _e5443));
@@ -2251,7 +2251,7 @@ let _e5533 = global_1.member.member_15.member.member_1;
 let _e5540 = select(_e5528.member, _e5517.member, _e5511);
 let _e5541 = select(_e5528.member_1, _e5517.member_1, _e5511);
 let _e5542 = select(_e5528.member_2, _e5517.member_2, _e5511);
-let _e5552 = (_e5474 || _e5503);
+let _e5553 = (_e5474 || _e5503);
 let _e5559 = ((((_e578.member.member * _e5447) + (_e578.member.member_1 * _e5448)) + (_e578.member.member_2 * _e5449)) + _e578.member_1);
 let _e5565 = ((((_e593.member.member * _e5447) + (_e593.member.member_1 * _e5448)) + (_e593.member.member_2 * _e5449)) + _e593.member_1);
 let _e5571 = ((((_e608.member.member * _e5447) + (_e608.member.member_1 * _e5448)) + (_e608.member.member_2 * _e5449)) + _e608.member_1);
@@ -2264,7 +2264,7 @@ let _e6729 = select(_e4854, _e5571, (_e5571 > _e4854));
 let _e6731 = select(_e4869, _e6729, (_e6729 < _e4869));
 let _e6736 = global_1.member.member_8.member_15;
 if (_e6736 == 0u) {
-phi_12263_ = vec3<f32>(_e6723, _e6727, _e6731);
+phi_12270_ = vec3<f32>(_e6723, _e6727, _e6731);
 } else {
 let _e6738 = (_e6723 + 0.5f);
 let _e6739 = (_e4739 - 1f);
@@ -2281,9 +2281,9 @@ let _e6775 = (_e4749 - 1f);
 let _e6777 = select(0f, _e6774, (_e6774 > 0f));
 let _e6779 = select(_e6775, _e6777, (_e6777 < _e6775));
 let _e6786 = select(0i, select(select(i32(_e6779), i32(-2147483648), (_e6779 < -2147483600f)), 2147483647i, (_e6779 > 2147483500f)), (_e6779 == _e6779));
-phi_12263_ = vec3<f32>(f32((_e6750 - select(0i, 1i, (_e6743 < f32(_e6750))))), f32((_e6768 - select(0i, 1i, (_e6761 < f32(_e6768))))), f32((_e6786 - select(0i, 1i, (_e6779 < f32(_e6786))))));
+phi_12270_ = vec3<f32>(f32((_e6750 - select(0i, 1i, (_e6743 < f32(_e6750))))), f32((_e6768 - select(0i, 1i, (_e6761 < f32(_e6768))))), f32((_e6786 - select(0i, 1i, (_e6779 < f32(_e6786))))));
 }
-let _e6794 = phi_12263_;
+let _e6794 = phi_12270_;
 let _e6797 = select(-1f, _e6794.x, (_e6794.x > -1f));
 let _e6799 = select(_e4739, _e6797, (_e6797 < _e4739));
 let _e6806 = select(0i, select(select(i32(_e6799), i32(-2147483648), (_e6799 < -2147483600f)), 2147483647i, (_e6799 > 2147483500f)), (_e6799 == _e6799));
@@ -2647,7 +2647,7 @@ if _e627 {
 let _e8147 = ((0.5f * (_e7438 - _e7432)) * _e7696);
 let _e8148 = ((0.5f * (_e7450 - _e7444)) * _e7696);
 let _e8149 = ((0.5f * (_e7462 - _e7456)) * _e7696);
-phi_17395_ = type_36(_e7658, vec3<f32>(_e8147, _e8148, _e8149), vec3<f32>((_e8147 * _e7658), (_e8148 * _e7658), (_e8149 * _e7658)));
+phi_17402_ = type_36(_e7658, vec3<f32>(_e8147, _e8148, _e8149), vec3<f32>((_e8147 * _e7658), (_e8148 * _e7658), (_e8149 * _e7658)));
 } else {
 local_35 = _e7432;
 let _e7697 = local_35;
@@ -2796,9 +2796,9 @@ let _e8122 = ((_e7643 + (f32(bitcast<i32>((_e8107 >> bitcast<u32>(12u)))) * _e76
 let _e8123 = (_e7838 - _e7767);
 let _e8125 = (_e7980 - _e7909);
 let _e8127 = (_e8122 - _e8051);
-phi_17395_ = type_36(_e7658, vec3<f32>((0.5f * _e8123), (0.5f * _e8125), (0.5f * _e8127)), vec3<f32>((0.25f * (_e8123 * (_e7838 + _e7767))), (0.25f * (_e8125 * (_e7980 + _e7909))), (0.25f * (_e8127 * (_e8122 + _e8051)))));
+phi_17402_ = type_36(_e7658, vec3<f32>((0.5f * _e8123), (0.5f * _e8125), (0.5f * _e8127)), vec3<f32>((0.25f * (_e8123 * (_e7838 + _e7767))), (0.25f * (_e8125 * (_e7980 + _e7909))), (0.25f * (_e8127 * (_e8122 + _e8051)))));
 }
-let _e8157 = phi_17395_;
+let _e8157 = phi_17402_;
 let _e8172 = select(0f, 1f, ((((((_e5559 >= _e4844) && (_e5559 <= _e4859)) && (_e5565 >= _e4849)) && (_e5565 <= _e4864)) && (_e5571 >= _e4854)) && (_e5571 <= _e4869)));
 let _e8174 = (0.5f * (_e7438 - _e7432));
 let _e8176 = (0.5f * (_e7450 - _e7444));
@@ -2815,7 +2815,7 @@ let _e8232 = global_1.member.member_8.member_2.member.member_2;
 let _e8237 = (((_e8184 * _e8174) + (_e8202 * _e8176)) + (_e8220 * _e8178));
 let _e8242 = (((_e8190 * _e8174) + (_e8208 * _e8176)) + (_e8226 * _e8178));
 let _e8247 = (((_e8196 * _e8174) + (_e8214 * _e8176)) + (_e8232 * _e8178));
-phi_19435_ = type_37(_e7426, vec3<f32>((_e8237 * _e8172), (_e8242 * _e8172), (_e8247 * _e8172)), vec3<f32>(_e8237, _e8242, _e8247), _e8157.member, vec3<f32>(((((_e8184 * _e8157.member_2.x) + (_e8202 * _e8157.member_2.y)) + (_e8220 * _e8157.member_2.z)) * _e8172), ((((_e8190 * _e8157.member_2.x) + (_e8208 * _e8157.member_2.y)) + (_e8226 * _e8157.member_2.z)) * _e8172), ((((_e8196 * _e8157.member_2.x) + (_e8214 * _e8157.member_2.y)) + (_e8232 * _e8157.member_2.z)) * _e8172)), vec3<f32>(((((_e8184 * _e8157.member_1.x) + (_e8202 * _e8157.member_1.y)) + (_e8220 * _e8157.member_1.z)) * _e8172), ((((_e8190 * _e8157.member_1.x) + (_e8208 * _e8157.member_1.y)) + (_e8226 * _e8157.member_1.z)) * _e8172), ((((_e8196 * _e8157.member_1.x) + (_e8214 * _e8157.member_1.y)) + (_e8232 * _e8157.member_1.z)) * _e8172)));
+phi_19442_ = type_37(_e7426, vec3<f32>((_e8237 * _e8172), (_e8242 * _e8172), (_e8247 * _e8172)), vec3<f32>(_e8237, _e8242, _e8247), _e8157.member, vec3<f32>(((((_e8184 * _e8157.member_2.x) + (_e8202 * _e8157.member_2.y)) + (_e8220 * _e8157.member_2.z)) * _e8172), ((((_e8190 * _e8157.member_2.x) + (_e8208 * _e8157.member_2.y)) + (_e8226 * _e8157.member_2.z)) * _e8172), ((((_e8196 * _e8157.member_2.x) + (_e8214 * _e8157.member_2.y)) + (_e8232 * _e8157.member_2.z)) * _e8172)), vec3<f32>(((((_e8184 * _e8157.member_1.x) + (_e8202 * _e8157.member_1.y)) + (_e8220 * _e8157.member_1.z)) * _e8172), ((((_e8190 * _e8157.member_1.x) + (_e8208 * _e8157.member_1.y)) + (_e8226 * _e8157.member_1.z)) * _e8172), ((((_e8196 * _e8157.member_1.x) + (_e8214 * _e8157.member_1.y)) + (_e8232 * _e8157.member_1.z)) * _e8172)));
 } else {
 if (_e279.member_2 == 8u) {
 let _e5897 = select(_e4844, _e5559, (_e5559 > _e4844));
@@ -2826,7 +2826,7 @@ let _e5905 = select(_e4854, _e5571, (_e5571 > _e4854));
 let _e5907 = select(_e4869, _e5905, (_e5905 < _e4869));
 let _e5912 = global_1.member.member_8.member_15;
 if (_e5912 == 0u) {
-phi_17742_ = vec3<f32>(_e5899, _e5903, _e5907);
+phi_17749_ = vec3<f32>(_e5899, _e5903, _e5907);
 } else {
 let _e5914 = (_e5899 + 0.5f);
 let _e5915 = (_e4739 - 1f);
@@ -2843,9 +2843,9 @@ let _e5951 = (_e4749 - 1f);
 let _e5953 = select(0f, _e5950, (_e5950 > 0f));
 let _e5955 = select(_e5951, _e5953, (_e5953 < _e5951));
 let _e5962 = select(0i, select(select(i32(_e5955), i32(-2147483648), (_e5955 < -2147483600f)), 2147483647i, (_e5955 > 2147483500f)), (_e5955 == _e5955));
-phi_17742_ = vec3<f32>(f32((_e5926 - select(0i, 1i, (_e5919 < f32(_e5926))))), f32((_e5944 - select(0i, 1i, (_e5937 < f32(_e5944))))), f32((_e5962 - select(0i, 1i, (_e5955 < f32(_e5962))))));
+phi_17749_ = vec3<f32>(f32((_e5926 - select(0i, 1i, (_e5919 < f32(_e5926))))), f32((_e5944 - select(0i, 1i, (_e5937 < f32(_e5944))))), f32((_e5962 - select(0i, 1i, (_e5955 < f32(_e5962))))));
 }
-let _e5970 = phi_17742_;
+let _e5970 = phi_17749_;
 let _e5973 = select(-1f, _e5970.x, (_e5970.x > -1f));
 let _e5975 = select(_e4739, _e5973, (_e5973 < _e4739));
 let _e5982 = select(0i, select(select(i32(_e5975), i32(-2147483648), (_e5975 < -2147483600f)), 2147483647i, (_e5975 > 2147483500f)), (_e5975 == _e5975));
@@ -3127,8 +3127,8 @@ let _e6680 = global_1.member.member_8.member_1.member.member_2;
 let _e6686 = global_1.member.member_8.member_2.member.member;
 let _e6692 = global_1.member.member_8.member_2.member.member_1;
 let _e6698 = global_1.member.member_8.member_2.member.member_2;
-phi_19432_ = select(1e9f, _e6600, (_e6600 < 1e9f));
-phi_19433_ = vec3<f32>((((_e6650 * _e6640) + (_e6668 * _e6642)) + (_e6686 * _e6644)), (((_e6656 * _e6640) + (_e6674 * _e6642)) + (_e6692 * _e6644)), (((_e6662 * _e6640) + (_e6680 * _e6642)) + (_e6698 * _e6644)));
+phi_19439_ = select(1e9f, _e6600, (_e6600 < 1e9f));
+phi_19440_ = vec3<f32>((((_e6650 * _e6640) + (_e6668 * _e6642)) + (_e6686 * _e6644)), (((_e6656 * _e6640) + (_e6674 * _e6642)) + (_e6692 * _e6644)), (((_e6662 * _e6640) + (_e6680 * _e6642)) + (_e6698 * _e6644)));
 } else {
 let _e5574 = select(_e4844, _e5559, (_e5559 > _e4844));
 let _e5576 = select(_e4859, _e5574, (_e5574 < _e4859));
@@ -3138,7 +3138,7 @@ let _e5582 = select(_e4854, _e5571, (_e5571 > _e4854));
 let _e5584 = select(_e4869, _e5582, (_e5582 < _e4869));
 let _e5589 = global_1.member.member_8.member_15;
 if (_e5589 == 0u) {
-phi_19056_ = vec3<f32>(_e5576, _e5580, _e5584);
+phi_19063_ = vec3<f32>(_e5576, _e5580, _e5584);
 } else {
 let _e5591 = (_e5576 + 0.5f);
 let _e5592 = (_e4739 - 1f);
@@ -3155,9 +3155,9 @@ let _e5628 = (_e4749 - 1f);
 let _e5630 = select(0f, _e5627, (_e5627 > 0f));
 let _e5632 = select(_e5628, _e5630, (_e5630 < _e5628));
 let _e5639 = select(0i, select(select(i32(_e5632), i32(-2147483648), (_e5632 < -2147483600f)), 2147483647i, (_e5632 > 2147483500f)), (_e5632 == _e5632));
-phi_19056_ = vec3<f32>(f32((_e5603 - select(0i, 1i, (_e5596 < f32(_e5603))))), f32((_e5621 - select(0i, 1i, (_e5614 < f32(_e5621))))), f32((_e5639 - select(0i, 1i, (_e5632 < f32(_e5639))))));
+phi_19063_ = vec3<f32>(f32((_e5603 - select(0i, 1i, (_e5596 < f32(_e5603))))), f32((_e5621 - select(0i, 1i, (_e5614 < f32(_e5621))))), f32((_e5639 - select(0i, 1i, (_e5632 < f32(_e5639))))));
 }
-let _e5647 = phi_19056_;
+let _e5647 = phi_19063_;
 let _e5650 = select(-1f, _e5647.x, (_e5647.x > -1f));
 let _e5652 = select(_e4739, _e5650, (_e5650 < _e4739));
 let _e5659 = select(0i, select(select(i32(_e5652), i32(-2147483648), (_e5652 < -2147483600f)), 2147483647i, (_e5652 > 2147483500f)), (_e5652 == _e5652));
@@ -3245,16 +3245,16 @@ let _e5888 = global_1.member.member_8.member_7;
 let _e5890 = (((_e5821 + (((_e5846 + (((_e5857 + ((bitcast<f32>(_e5866) - _e5857) * _e5868)) - _e5846) * _e5872)) - _e5821) * _e5877)) - _e5884) * _e5888);
 let _e5891 = -(1e9f);
 let _e5893 = select(_e5891, _e5890, (_e5890 > _e5891));
-phi_19432_ = select(1e9f, _e5893, (_e5893 < 1e9f));
-phi_19433_ = vec3<f32>(0f, 0f, 0f);
+phi_19439_ = select(1e9f, _e5893, (_e5893 < 1e9f));
+phi_19440_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e6716 = phi_19432_;
-let _e6718 = phi_19433_;
-phi_19435_ = type_37(_e6716, vec3<f32>(0f, 0f, 0f), _e6718, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e6716 = phi_19439_;
+let _e6718 = phi_19440_;
+phi_19442_ = type_37(_e6716, vec3<f32>(0f, 0f, 0f), _e6718, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8299 = phi_19435_;
+let _e8299 = phi_19442_;
 if _e3541 {
-phi_19960_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_19967_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e8303 = global_1.member.member_16.member;
 let _e8314 = ((((_e8303.member.member * _e4676.member.x) + (_e8303.member.member_1 * _e4676.member.y)) + (_e8303.member.member_2 * _e4676.member.z)) + _e8303.member_1);
@@ -3328,9 +3328,9 @@ let _e8521 = global_1.member.member_19.member_1;
 let _e8522 = (_e8521 != 0u);
 let _e8527 = select(0f, _e8515, _e8522);
 let _e8528 = select(1f, _e8517, _e8522);
-phi_19960_ = type_38(type_35(select(_e8515, _e8465, (_e8465 > _e8515)), select(_e8517, _e8467, (_e8467 < _e8517))), type_35(select(_e8527, _e8471, (_e8471 > _e8527)), select(_e8528, _e8473, (_e8473 < _e8528))), ((((1f * select(1f, 0f, (_e8345 && _e8336))) * select(1f, 0f, (_e8404 && _e8395))) * select(1f, 0f, (_e8463 && _e8454))) * select(1f, 0f, (_e8522 && _e8513))));
+phi_19967_ = type_38(type_35(select(_e8515, _e8465, (_e8465 > _e8515)), select(_e8517, _e8467, (_e8467 < _e8517))), type_35(select(_e8527, _e8471, (_e8471 > _e8527)), select(_e8528, _e8473, (_e8473 < _e8528))), ((((1f * select(1f, 0f, (_e8345 && _e8336))) * select(1f, 0f, (_e8404 && _e8395))) * select(1f, 0f, (_e8463 && _e8454))) * select(1f, 0f, (_e8522 && _e8513))));
 }
-let _e8540 = phi_19960_;
+let _e8540 = phi_19967_;
 let _e8543 = (select(0f, (_e5439 - 0.5f), _e5431) * _e4771);
 let _e8547 = (_e4776 + (_e4695 * _e8543));
 let _e8548 = (_e4777 + (_e4697 * _e8543));
@@ -3344,7 +3344,7 @@ let _e8561 = select(_e4869, _e8559, (_e8559 < _e4869));
 let _e8566 = global_1.member.member_8.member_15;
 let _e8567 = (_e8566 == 0u);
 if _e8567 {
-phi_20156_ = vec3<f32>(_e8553, _e8557, _e8561);
+phi_20163_ = vec3<f32>(_e8553, _e8557, _e8561);
 } else {
 let _e8568 = (_e8553 + 0.5f);
 let _e8569 = (_e4739 - 1f);
@@ -3361,9 +3361,9 @@ let _e8605 = (_e4749 - 1f);
 let _e8607 = select(0f, _e8604, (_e8604 > 0f));
 let _e8609 = select(_e8605, _e8607, (_e8607 < _e8605));
 let _e8616 = select(0i, select(select(i32(_e8609), i32(-2147483648), (_e8609 < -2147483600f)), 2147483647i, (_e8609 > 2147483500f)), (_e8609 == _e8609));
-phi_20156_ = vec3<f32>(f32((_e8580 - select(0i, 1i, (_e8573 < f32(_e8580))))), f32((_e8598 - select(0i, 1i, (_e8591 < f32(_e8598))))), f32((_e8616 - select(0i, 1i, (_e8609 < f32(_e8616))))));
+phi_20163_ = vec3<f32>(f32((_e8580 - select(0i, 1i, (_e8573 < f32(_e8580))))), f32((_e8598 - select(0i, 1i, (_e8591 < f32(_e8598))))), f32((_e8616 - select(0i, 1i, (_e8609 < f32(_e8616))))));
 }
-let _e8624 = phi_20156_;
+let _e8624 = phi_20163_;
 let _e8627 = select(-1f, _e8624.x, (_e8624.x > -1f));
 let _e8629 = select(_e4739, _e8627, (_e8627 < _e4739));
 let _e8636 = select(0i, select(select(i32(_e8629), i32(-2147483648), (_e8629 < -2147483600f)), 2147483647i, (_e8629 > 2147483500f)), (_e8629 == _e8629));
@@ -3532,7 +3532,7 @@ let _e9108 = (_e9073 == 0f);
 let _e9125 = (_e4772 * _e8540.member_2);
 let _e9142 = (_e8566 != 0u);
 let _e9143 = select(select(_e8299.member, _e4676.member_2, _e4689), _e8299.member, _e9142);
-let _e9144 = select(1f, select(_e5478, _e5507, _e5511), _e5552);
+let _e9144 = select(1f, select(_e5478, _e5507, _e5511), _e5553);
 let _e9145 = (_e5559 - _e4793);
 let _e9149 = (bitcast<f32>((bitcast<u32>(_e9145) & 2147483647u)) < 1e-12f);
 let _e9151 = (1f / select(_e9145, 1f, _e9149));
@@ -3963,19 +3963,19 @@ let _e10777 = (((1f - _e10765) + (_e10711 * select(0f, _e10767, (_e10767 > 0f)))
 let _e10787 = (_e10712 > 0f);
 let _e10789 = (1f - _e10774);
 let _e10798 = (_e10773 / select(1e-12f, _e10789, (_e10789 > 1e-12f)));
-phi_24870_ = type_43(select(_e10489, _e10774, _e10787), select(_e10490, _e10789, _e10787), _e10439, vec3<f32>(select(_e10498, ((_e10498 * _e10777) + (_e10672 * _e10773)), _e10787), select(_e10500, ((_e10500 * _e10777) + (_e10682 * _e10773)), _e10787), select(_e10502, ((_e10502 * _e10777) + (_e10692 * _e10773)), _e10787)));
-phi_24871_ = type_41(_e10711, _e10712, vec3<f32>(_e10672, _e10682, _e10692), _e10714);
-phi_24872_ = select(0f, select(1f, _e10798, (_e10798 < 1f)), _e10787);
+phi_24877_ = type_43(select(_e10489, _e10774, _e10787), select(_e10490, _e10789, _e10787), _e10439, vec3<f32>(select(_e10498, ((_e10498 * _e10777) + (_e10672 * _e10773)), _e10787), select(_e10500, ((_e10500 * _e10777) + (_e10682 * _e10773)), _e10787), select(_e10502, ((_e10502 * _e10777) + (_e10692 * _e10773)), _e10787)));
+phi_24878_ = type_41(_e10711, _e10712, vec3<f32>(_e10672, _e10682, _e10692), _e10714);
+phi_24879_ = select(0f, select(1f, _e10798, (_e10798 < 1f)), _e10787);
 } else {
-phi_24870_ = type_43(_e10489, _e10490, _e10439, (_e10496 * _e10494));
-phi_24871_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_24872_ = 0f;
+phi_24877_ = type_43(_e10489, _e10490, _e10439, (_e10496 * _e10494));
+phi_24878_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_24879_ = 0f;
 }
-let _e10803 = phi_24870_;
-let _e10805 = phi_24871_;
-let _e10807 = phi_24872_;
+let _e10803 = phi_24877_;
+let _e10805 = phi_24878_;
+let _e10807 = phi_24879_;
 if (_e623 || _e626) {
-phi_40481_ = _e4674;
+phi_40494_ = _e4674;
 } else {
 let _e10810 = select(_e9232, _e8540.member.member, (_e8540.member.member > _e9232));
 let _e10818 = (_e4676.member + vec3<f32>((_e9237 * _e9144), (_e9238 * _e9144), (_e9239 * _e9144)));
@@ -4024,23 +4024,23 @@ let _e10993 = local_61.member;
 let _e10996 = (((2f * _e10993) * _e10992) * _e9256);
 let _e11000 = (_e10805.member_1 > 0f);
 let _e11001 = select(select(select(1f, _e10996, (_e10996 < 1f)), 0f, _e9142), 1f, _e11000);
-let _e11002 = (_e10992 * _e11001);
-let _e11003 = global_1.member.member_12.member_19;
-let _e11007 = (((((_e10927.member.member * _e10919) + (_e10927.member.member_1 * _e10920)) + (_e10927.member.member_2 * _e10921)) + _e10927.member_1) - _e11003.member);
-let _e11008 = (((((_e10942.member.member * _e10919) + (_e10942.member.member_1 * _e10920)) + (_e10942.member.member_2 * _e10921)) + _e10942.member_1) - _e11003.member_1);
-let _e11009 = (_e10968 - _e11003.member_2);
-let _e11014 = (((_e11007 * _e11007) + (_e11008 * _e11008)) + (_e11009 * _e11009));
-let _e11017 = sqrt(select(0f, _e11014, (_e11014 > 0f)));
-let _e11020 = (1f / select(1e-20f, _e11017, (_e11017 > 1e-20f)));
-let _e11024 = select(0f, (_e11007 * _e11020), _e10978);
-let _e11025 = select(0f, (_e11008 * _e11020), _e10978);
-let _e11026 = select(1f, (_e11009 * _e11020), _e10978);
-let _e11031 = global_1.member.member_12.member.member;
-let _e11042 = global_1.member.member_12.member_1.member;
-let _e11056 = global_1.member.member_12.member_2.member;
-let _e11069 = (_e10919 - ((((_e11031.member * _e11024) + (_e11042.member * _e11025)) + (_e11056.member * _e11026)) * _e11002));
-let _e11070 = (_e10920 - ((((_e11031.member_1 * _e11024) + (_e11042.member_1 * _e11025)) + (_e11056.member_1 * _e11026)) * _e11002));
-let _e11071 = (_e10921 - ((((_e11031.member_2 * _e11024) + (_e11042.member_2 * _e11025)) + (_e11056.member_2 * _e11026)) * _e11002));
+let _e11002 = global_1.member.member_12.member_19;
+let _e11006 = (((((_e10927.member.member * _e10919) + (_e10927.member.member_1 * _e10920)) + (_e10927.member.member_2 * _e10921)) + _e10927.member_1) - _e11002.member);
+let _e11007 = (((((_e10942.member.member * _e10919) + (_e10942.member.member_1 * _e10920)) + (_e10942.member.member_2 * _e10921)) + _e10942.member_1) - _e11002.member_1);
+let _e11008 = (_e10968 - _e11002.member_2);
+let _e11013 = (((_e11006 * _e11006) + (_e11007 * _e11007)) + (_e11008 * _e11008));
+let _e11016 = sqrt(select(0f, _e11013, (_e11013 > 0f)));
+let _e11019 = (1f / select(1e-20f, _e11016, (_e11016 > 1e-20f)));
+let _e11023 = select(0f, (_e11006 * _e11019), _e10978);
+let _e11024 = select(0f, (_e11007 * _e11019), _e10978);
+let _e11025 = select(1f, (_e11008 * _e11019), _e10978);
+let _e11030 = global_1.member.member_12.member.member;
+let _e11041 = global_1.member.member_12.member_1.member;
+let _e11055 = global_1.member.member_12.member_2.member;
+let _e11065 = (_e10992 * _e11001);
+let _e11069 = (_e10919 - ((((_e11030.member * _e11023) + (_e11041.member * _e11024)) + (_e11055.member * _e11025)) * _e11065));
+let _e11070 = (_e10920 - ((((_e11030.member_1 * _e11023) + (_e11041.member_1 * _e11024)) + (_e11055.member_1 * _e11025)) * _e11065));
+let _e11071 = (_e10921 - ((((_e11030.member_2 * _e11023) + (_e11041.member_2 * _e11024)) + (_e11055.member_2 * _e11025)) * _e11065));
 let _e11077 = ((((_e578.member.member * _e11069) + (_e578.member.member_1 * _e11070)) + (_e578.member.member_2 * _e11071)) + _e578.member_1);
 let _e11083 = ((((_e593.member.member * _e11069) + (_e593.member.member_1 * _e11070)) + (_e593.member.member_2 * _e11071)) + _e593.member_1);
 let _e11089 = ((((_e608.member.member * _e11069) + (_e608.member.member_1 * _e11070)) + (_e608.member.member_2 * _e11071)) + _e608.member_1);
@@ -4051,7 +4051,7 @@ let _e11097 = select(_e4864, _e11095, (_e11095 < _e4864));
 let _e11099 = select(_e4854, _e11089, (_e11089 > _e4854));
 let _e11101 = select(_e4869, _e11099, (_e11099 < _e4869));
 if _e8567 {
-phi_25460_ = vec3<f32>(_e11093, _e11097, _e11101);
+phi_25473_ = vec3<f32>(_e11093, _e11097, _e11101);
 } else {
 let _e11103 = (_e11093 + 0.5f);
 let _e11104 = (_e4739 - 1f);
@@ -4068,9 +4068,9 @@ let _e11140 = (_e4749 - 1f);
 let _e11142 = select(0f, _e11139, (_e11139 > 0f));
 let _e11144 = select(_e11140, _e11142, (_e11142 < _e11140));
 let _e11151 = select(0i, select(select(i32(_e11144), i32(-2147483648), (_e11144 < -2147483600f)), 2147483647i, (_e11144 > 2147483500f)), (_e11144 == _e11144));
-phi_25460_ = vec3<f32>(f32((_e11115 - select(0i, 1i, (_e11108 < f32(_e11115))))), f32((_e11133 - select(0i, 1i, (_e11126 < f32(_e11133))))), f32((_e11151 - select(0i, 1i, (_e11144 < f32(_e11151))))));
+phi_25473_ = vec3<f32>(f32((_e11115 - select(0i, 1i, (_e11108 < f32(_e11115))))), f32((_e11133 - select(0i, 1i, (_e11126 < f32(_e11133))))), f32((_e11151 - select(0i, 1i, (_e11144 < f32(_e11151))))));
 }
-let _e11159 = phi_25460_;
+let _e11159 = phi_25473_;
 let _e11162 = select(-1f, _e11159.x, (_e11159.x > -1f));
 let _e11164 = select(_e4739, _e11162, (_e11162 < _e4739));
 let _e11171 = select(0i, select(select(i32(_e11164), i32(-2147483648), (_e11164 < -2147483600f)), 2147483647i, (_e11164 > 2147483500f)), (_e11164 == _e11164));
@@ -4151,9 +4151,9 @@ let _e11364 = local_13[2u];
 let _e11369 = (((_e11308 + (((_e11333 + (((_e11344 + ((bitcast<f32>(_e11353) - _e11344) * _e11355)) - _e11333) * _e11359)) - _e11308) * _e11364)) - _e8861) * _e8865);
 let _e11371 = select(_e8868, _e11369, (_e11369 > _e8868));
 let _e11373 = select(1e9f, _e11371, (_e11371 < 1e9f));
-let _e11374 = (_e11002 * _e9256);
+let _e11374 = (_e11065 * _e9256);
 if _e3541 {
-phi_26352_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_26365_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e11378 = global_1.member.member_16.member;
 let _e11389 = ((((_e11378.member.member * _e11069) + (_e11378.member.member_1 * _e11070)) + (_e11378.member.member_2 * _e11071)) + _e11378.member_1);
@@ -4227,9 +4227,9 @@ let _e11596 = global_1.member.member_19.member_1;
 let _e11597 = (_e11596 != 0u);
 let _e11602 = select(0f, _e11590, _e11597);
 let _e11603 = select(1f, _e11592, _e11597);
-phi_26352_ = type_38(type_35(select(_e11590, _e11540, (_e11540 > _e11590)), select(_e11592, _e11542, (_e11542 < _e11592))), type_35(select(_e11602, _e11546, (_e11546 > _e11602)), select(_e11603, _e11548, (_e11548 < _e11603))), ((((1f * select(1f, 0f, (_e11420 && _e11411))) * select(1f, 0f, (_e11479 && _e11470))) * select(1f, 0f, (_e11538 && _e11529))) * select(1f, 0f, (_e11597 && _e11588))));
+phi_26365_ = type_38(type_35(select(_e11590, _e11540, (_e11540 > _e11590)), select(_e11592, _e11542, (_e11542 < _e11592))), type_35(select(_e11602, _e11546, (_e11546 > _e11602)), select(_e11603, _e11548, (_e11548 < _e11603))), ((((1f * select(1f, 0f, (_e11420 && _e11411))) * select(1f, 0f, (_e11479 && _e11470))) * select(1f, 0f, (_e11538 && _e11529))) * select(1f, 0f, (_e11597 && _e11588))));
 }
-let _e11615 = phi_26352_;
+let _e11615 = phi_26365_;
 let _e11621 = ((((_e578.member.member * _e10919) + (_e578.member.member_1 * _e10920)) + (_e578.member.member_2 * _e10921)) + _e578.member_1);
 let _e11627 = ((((_e593.member.member * _e10919) + (_e593.member.member_1 * _e10920)) + (_e593.member.member_2 * _e10921)) + _e593.member_1);
 let _e11633 = ((((_e608.member.member * _e10919) + (_e608.member.member_1 * _e10920)) + (_e608.member.member_2 * _e10921)) + _e608.member_1);
@@ -4362,7 +4362,7 @@ let _e12460 = global_3.member[bitcast<u32>(select(0i, _e12455, (_e12455 > 0i)))]
 let _e12470 = (_e12422 + (((bitcast<f32>((((_e12430 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12422) * _e12405));
 let _e12478 = global_3.member[_e9916];
 let _e12487 = global_3.member[_e9936];
-phi_30027_ = type_42((((_e12470 + (((_e12452 + (((bitcast<f32>((((_e12460 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12452) * _e12405)) - _e12470) * (_e12280 - f32(_e12358)))) * (1f - (_e12392 + _e12398))) + (((bitcast<f32>((((_e12478 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12392) + ((bitcast<f32>((((_e12487 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12398))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_30040_ = type_42((((_e12470 + (((_e12452 + (((bitcast<f32>((((_e12460 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12452) * _e12405)) - _e12470) * (_e12280 - f32(_e12358)))) * (1f - (_e12392 + _e12398))) + (((bitcast<f32>((((_e12478 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12392) + ((bitcast<f32>((((_e12487 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e12398))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e11373;
 let _e11755 = local_9;
@@ -4475,9 +4475,9 @@ let _e12162 = (_e12092 + (((bitcast<f32>(((_e12107 & 32767u) << bitcast<u32>(13i
 let _e12171 = (_e12099 + (((bitcast<f32>((((_e12107 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12099) * _e11942));
 let _e12179 = global_3.member[_e9916];
 let _e12193 = global_3.member[_e9936];
-phi_30027_ = type_42((((_e12171 + (((_e12139 + (((bitcast<f32>((((_e12147 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12139) * _e11942)) - _e12171) * _e11940)) * _e11944) + (((bitcast<f32>((((_e12179 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>((((_e12193 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935))), vec3<f32>((((_e12162 + (((_e12132 + (((bitcast<f32>(((_e12147 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12132) * _e11942)) - _e12162) * _e11940)) * _e11944) + (((bitcast<f32>(((_e12179 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>(((_e12193 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935))), (((_e12026 + (((_e11996 + (((bitcast<f32>(((_e12011 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e11996) * _e11942)) - _e12026) * _e11940)) * _e11944) + (((bitcast<f32>(((_e12043 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>(((_e12057 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935))), (((_e12035 + (((_e12003 + (((bitcast<f32>((((_e12011 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12003) * _e11942)) - _e12035) * _e11940)) * _e11944) + (((bitcast<f32>((((_e12043 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>((((_e12057 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_30040_ = type_42((((_e12171 + (((_e12139 + (((bitcast<f32>((((_e12147 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12139) * _e11942)) - _e12171) * _e11940)) * _e11944) + (((bitcast<f32>((((_e12179 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>((((_e12193 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935))), vec3<f32>((((_e12162 + (((_e12132 + (((bitcast<f32>(((_e12147 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12132) * _e11942)) - _e12162) * _e11940)) * _e11944) + (((bitcast<f32>(((_e12179 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>(((_e12193 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935))), (((_e12026 + (((_e11996 + (((bitcast<f32>(((_e12011 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e11996) * _e11942)) - _e12026) * _e11940)) * _e11944) + (((bitcast<f32>(((_e12043 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>(((_e12057 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935))), (((_e12035 + (((_e12003 + (((bitcast<f32>((((_e12011 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e12003) * _e11942)) - _e12035) * _e11940)) * _e11944) + (((bitcast<f32>((((_e12043 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11929) + ((bitcast<f32>((((_e12057 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e11935)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e12502 = phi_30027_;
+let _e12502 = phi_30040_;
 if _e11754 {
 let _e12715 = -((_e12502.member * (_e11374 * _e11739)));
 let _e12717 = select(-87f, _e12715, (_e12715 > -87f));
@@ -4491,7 +4491,7 @@ let _e12737 = f32(_e12736);
 let _e12741 = ((_e12719 - (_e12737 * 0.6933594f)) - (_e12737 * -2.1219444e-4f));
 let _e12761 = ((1f + (_e12741 * (1f + (_e12741 * (0.5f + (_e12741 * (0.16666667f + (_e12741 * (0.041666668f + (_e12741 * (0.008333334f + (_e12741 * (0.001388889f + (_e12741 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12736 + 127i)) << bitcast<u32>(23i))));
 let _e12762 = (1f - _e12761);
-phi_30378_ = type_43(_e12761, _e12762, vec3<f32>(1f, 1f, 1f), (_e12502.member_2 * (_e12762 / select(1e-12f, _e12502.member, (_e12502.member > 1e-12f)))));
+phi_30391_ = type_43(_e12761, _e12762, vec3<f32>(1f, 1f, 1f), (_e12502.member_2 * (_e12762 / select(1e-12f, _e12502.member, (_e12502.member > 1e-12f)))));
 } else {
 let _e12504 = (_e11374 * select(0f, _e11748, (_e11748 > 0f)));
 let _e12508 = -((_e12502.member_1.x * _e12504));
@@ -4536,9 +4536,9 @@ let _e12680 = f32(_e12679);
 let _e12684 = ((_e12662 - (_e12680 * 0.6933594f)) - (_e12680 * -2.1219444e-4f));
 let _e12704 = ((1f + (_e12684 * (1f + (_e12684 * (0.5f + (_e12684 * (0.16666667f + (_e12684 * (0.041666668f + (_e12684 * (0.008333334f + (_e12684 * (0.001388889f + (_e12684 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12679 + 127i)) << bitcast<u32>(23i))));
 let _e12705 = (1f - _e12704);
-phi_30378_ = type_43(_e12704, _e12705, vec3<f32>(((1f + (_e12534 * (1f + (_e12534 * (0.5f + (_e12534 * (0.16666667f + (_e12534 * (0.041666668f + (_e12534 * (0.008333334f + (_e12534 * (0.001388889f + (_e12534 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12529 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12584 * (1f + (_e12584 * (0.5f + (_e12584 * (0.16666667f + (_e12584 * (0.041666668f + (_e12584 * (0.008333334f + (_e12584 * (0.001388889f + (_e12584 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12579 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12634 * (1f + (_e12634 * (0.5f + (_e12634 * (0.16666667f + (_e12634 * (0.041666668f + (_e12634 * (0.008333334f + (_e12634 * (0.001388889f + (_e12634 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12629 + 127i)) << bitcast<u32>(23i))))), (_e12502.member_2 * (_e12705 / select(1e-12f, _e12502.member, (_e12502.member > 1e-12f)))));
+phi_30391_ = type_43(_e12704, _e12705, vec3<f32>(((1f + (_e12534 * (1f + (_e12534 * (0.5f + (_e12534 * (0.16666667f + (_e12534 * (0.041666668f + (_e12534 * (0.008333334f + (_e12534 * (0.001388889f + (_e12534 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12529 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12584 * (1f + (_e12584 * (0.5f + (_e12584 * (0.16666667f + (_e12584 * (0.041666668f + (_e12584 * (0.008333334f + (_e12584 * (0.001388889f + (_e12584 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12579 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e12634 * (1f + (_e12634 * (0.5f + (_e12634 * (0.16666667f + (_e12634 * (0.041666668f + (_e12634 * (0.008333334f + (_e12634 * (0.001388889f + (_e12634 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e12629 + 127i)) << bitcast<u32>(23i))))), (_e12502.member_2 * (_e12705 / select(1e-12f, _e12502.member, (_e12502.member > 1e-12f)))));
 }
-let _e12770 = phi_30378_;
+let _e12770 = phi_30391_;
 let _e12779 = (_e11069 - (_e10919 - _e11069));
 let _e12780 = (_e11070 - (_e10920 - _e11070));
 let _e12781 = (_e11071 - (_e10921 - _e11071));
@@ -4552,7 +4552,7 @@ let _e12807 = select(_e4864, _e12805, (_e12805 < _e4864));
 let _e12809 = select(_e4854, _e12799, (_e12799 > _e4854));
 let _e12811 = select(_e4869, _e12809, (_e12809 < _e4869));
 if _e8567 {
-phi_30583_ = vec3<f32>(_e12803, _e12807, _e12811);
+phi_30596_ = vec3<f32>(_e12803, _e12807, _e12811);
 } else {
 let _e12813 = (_e12803 + 0.5f);
 let _e12814 = (_e4739 - 1f);
@@ -4569,9 +4569,9 @@ let _e12850 = (_e4749 - 1f);
 let _e12852 = select(0f, _e12849, (_e12849 > 0f));
 let _e12854 = select(_e12850, _e12852, (_e12852 < _e12850));
 let _e12861 = select(0i, select(select(i32(_e12854), i32(-2147483648), (_e12854 < -2147483600f)), 2147483647i, (_e12854 > 2147483500f)), (_e12854 == _e12854));
-phi_30583_ = vec3<f32>(f32((_e12825 - select(0i, 1i, (_e12818 < f32(_e12825))))), f32((_e12843 - select(0i, 1i, (_e12836 < f32(_e12843))))), f32((_e12861 - select(0i, 1i, (_e12854 < f32(_e12861))))));
+phi_30596_ = vec3<f32>(f32((_e12825 - select(0i, 1i, (_e12818 < f32(_e12825))))), f32((_e12843 - select(0i, 1i, (_e12836 < f32(_e12843))))), f32((_e12861 - select(0i, 1i, (_e12854 < f32(_e12861))))));
 }
-let _e12869 = phi_30583_;
+let _e12869 = phi_30596_;
 let _e12872 = select(-1f, _e12869.x, (_e12869.x > -1f));
 let _e12874 = select(_e4739, _e12872, (_e12872 < _e4739));
 let _e12881 = select(0i, select(select(i32(_e12874), i32(-2147483648), (_e12874 < -2147483600f)), 2147483647i, (_e12874 > 2147483500f)), (_e12874 == _e12874));
@@ -4653,7 +4653,7 @@ let _e13079 = (((_e13018 + (((_e13043 + (((_e13054 + ((bitcast<f32>(_e13063) - _
 let _e13081 = select(_e8868, _e13079, (_e13079 > _e8868));
 let _e13083 = select(1e9f, _e13081, (_e13081 < 1e9f));
 if _e3541 {
-phi_31475_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_31488_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13087 = global_1.member.member_16.member;
 let _e13098 = ((((_e13087.member.member * _e12779) + (_e13087.member.member_1 * _e12780)) + (_e13087.member.member_2 * _e12781)) + _e13087.member_1);
@@ -4727,9 +4727,9 @@ let _e13305 = global_1.member.member_19.member_1;
 let _e13306 = (_e13305 != 0u);
 let _e13311 = select(0f, _e13299, _e13306);
 let _e13312 = select(1f, _e13301, _e13306);
-phi_31475_ = type_38(type_35(select(_e13299, _e13249, (_e13249 > _e13299)), select(_e13301, _e13251, (_e13251 < _e13301))), type_35(select(_e13311, _e13255, (_e13255 > _e13311)), select(_e13312, _e13257, (_e13257 < _e13312))), ((((1f * select(1f, 0f, (_e13129 && _e13120))) * select(1f, 0f, (_e13188 && _e13179))) * select(1f, 0f, (_e13247 && _e13238))) * select(1f, 0f, (_e13306 && _e13297))));
+phi_31488_ = type_38(type_35(select(_e13299, _e13249, (_e13249 > _e13299)), select(_e13301, _e13251, (_e13251 < _e13301))), type_35(select(_e13311, _e13255, (_e13255 > _e13311)), select(_e13312, _e13257, (_e13257 < _e13312))), ((((1f * select(1f, 0f, (_e13129 && _e13120))) * select(1f, 0f, (_e13188 && _e13179))) * select(1f, 0f, (_e13247 && _e13238))) * select(1f, 0f, (_e13306 && _e13297))));
 }
-let _e13324 = phi_31475_;
+let _e13324 = phi_31488_;
 let _e13325 = (_e11077 - _e12787);
 let _e13329 = (bitcast<f32>((bitcast<u32>(_e13325) & 2147483647u)) < 1e-12f);
 let _e13331 = (1f / select(_e13325, 1f, _e13329));
@@ -4858,7 +4858,7 @@ let _e14147 = global_3.member[bitcast<u32>(select(0i, _e14142, (_e14142 > 0i)))]
 let _e14157 = (_e14109 + (((bitcast<f32>((((_e14117 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14109) * _e14092));
 let _e14165 = global_3.member[_e9916];
 let _e14174 = global_3.member[_e9936];
-phi_35150_ = type_42((((_e14157 + (((_e14139 + (((bitcast<f32>((((_e14147 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14139) * _e14092)) - _e14157) * (_e13967 - f32(_e14045)))) * (1f - (_e14079 + _e14085))) + (((bitcast<f32>((((_e14165 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14079) + ((bitcast<f32>((((_e14174 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14085))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_35163_ = type_42((((_e14157 + (((_e14139 + (((bitcast<f32>((((_e14147 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14139) * _e14092)) - _e14157) * (_e13967 - f32(_e14045)))) * (1f - (_e14079 + _e14085))) + (((bitcast<f32>((((_e14165 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14079) + ((bitcast<f32>((((_e14174 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14085))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e13083;
 let _e13442 = local_3;
@@ -4971,9 +4971,9 @@ let _e13849 = (_e13779 + (((bitcast<f32>(((_e13794 & 32767u) << bitcast<u32>(13i
 let _e13858 = (_e13786 + (((bitcast<f32>((((_e13794 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13786) * _e13629));
 let _e13866 = global_3.member[_e9916];
 let _e13880 = global_3.member[_e9936];
-phi_35150_ = type_42((((_e13858 + (((_e13826 + (((bitcast<f32>((((_e13834 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13826) * _e13629)) - _e13858) * _e13627)) * _e13631) + (((bitcast<f32>((((_e13866 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>((((_e13880 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622))), vec3<f32>((((_e13849 + (((_e13819 + (((bitcast<f32>(((_e13834 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13819) * _e13629)) - _e13849) * _e13627)) * _e13631) + (((bitcast<f32>(((_e13866 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>(((_e13880 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622))), (((_e13713 + (((_e13683 + (((bitcast<f32>(((_e13698 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13683) * _e13629)) - _e13713) * _e13627)) * _e13631) + (((bitcast<f32>(((_e13730 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>(((_e13744 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622))), (((_e13722 + (((_e13690 + (((bitcast<f32>((((_e13698 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13690) * _e13629)) - _e13722) * _e13627)) * _e13631) + (((bitcast<f32>((((_e13730 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>((((_e13744 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_35163_ = type_42((((_e13858 + (((_e13826 + (((bitcast<f32>((((_e13834 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13826) * _e13629)) - _e13858) * _e13627)) * _e13631) + (((bitcast<f32>((((_e13866 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>((((_e13880 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622))), vec3<f32>((((_e13849 + (((_e13819 + (((bitcast<f32>(((_e13834 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13819) * _e13629)) - _e13849) * _e13627)) * _e13631) + (((bitcast<f32>(((_e13866 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>(((_e13880 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622))), (((_e13713 + (((_e13683 + (((bitcast<f32>(((_e13698 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13683) * _e13629)) - _e13713) * _e13627)) * _e13631) + (((bitcast<f32>(((_e13730 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>(((_e13744 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622))), (((_e13722 + (((_e13690 + (((bitcast<f32>((((_e13698 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13690) * _e13629)) - _e13722) * _e13627)) * _e13631) + (((bitcast<f32>((((_e13730 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13616) + ((bitcast<f32>((((_e13744 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13622)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14189 = phi_35150_;
+let _e14189 = phi_35163_;
 if _e11754 {
 let _e14402 = -((_e14189.member * (_e11374 * _e13430)));
 let _e14404 = select(-87f, _e14402, (_e14402 > -87f));
@@ -4987,7 +4987,7 @@ let _e14424 = f32(_e14423);
 let _e14428 = ((_e14406 - (_e14424 * 0.6933594f)) - (_e14424 * -2.1219444e-4f));
 let _e14448 = ((1f + (_e14428 * (1f + (_e14428 * (0.5f + (_e14428 * (0.16666667f + (_e14428 * (0.041666668f + (_e14428 * (0.008333334f + (_e14428 * (0.001388889f + (_e14428 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14423 + 127i)) << bitcast<u32>(23i))));
 let _e14449 = (1f - _e14448);
-phi_35501_ = type_43(_e14448, _e14449, vec3<f32>(1f, 1f, 1f), (_e14189.member_2 * (_e14449 / select(1e-12f, _e14189.member, (_e14189.member > 1e-12f)))));
+phi_35514_ = type_43(_e14448, _e14449, vec3<f32>(1f, 1f, 1f), (_e14189.member_2 * (_e14449 / select(1e-12f, _e14189.member, (_e14189.member > 1e-12f)))));
 } else {
 let _e14191 = (_e11374 * select(0f, _e13439, (_e13439 > 0f)));
 let _e14195 = -((_e14189.member_1.x * _e14191));
@@ -5032,20 +5032,20 @@ let _e14367 = f32(_e14366);
 let _e14371 = ((_e14349 - (_e14367 * 0.6933594f)) - (_e14367 * -2.1219444e-4f));
 let _e14391 = ((1f + (_e14371 * (1f + (_e14371 * (0.5f + (_e14371 * (0.16666667f + (_e14371 * (0.041666668f + (_e14371 * (0.008333334f + (_e14371 * (0.001388889f + (_e14371 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14366 + 127i)) << bitcast<u32>(23i))));
 let _e14392 = (1f - _e14391);
-phi_35501_ = type_43(_e14391, _e14392, vec3<f32>(((1f + (_e14221 * (1f + (_e14221 * (0.5f + (_e14221 * (0.16666667f + (_e14221 * (0.041666668f + (_e14221 * (0.008333334f + (_e14221 * (0.001388889f + (_e14221 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14216 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14271 * (1f + (_e14271 * (0.5f + (_e14271 * (0.16666667f + (_e14271 * (0.041666668f + (_e14271 * (0.008333334f + (_e14271 * (0.001388889f + (_e14271 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14266 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14321 * (1f + (_e14321 * (0.5f + (_e14321 * (0.16666667f + (_e14321 * (0.041666668f + (_e14321 * (0.008333334f + (_e14321 * (0.001388889f + (_e14321 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14316 + 127i)) << bitcast<u32>(23i))))), (_e14189.member_2 * (_e14392 / select(1e-12f, _e14189.member, (_e14189.member > 1e-12f)))));
+phi_35514_ = type_43(_e14391, _e14392, vec3<f32>(((1f + (_e14221 * (1f + (_e14221 * (0.5f + (_e14221 * (0.16666667f + (_e14221 * (0.041666668f + (_e14221 * (0.008333334f + (_e14221 * (0.001388889f + (_e14221 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14216 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14271 * (1f + (_e14271 * (0.5f + (_e14271 * (0.16666667f + (_e14271 * (0.041666668f + (_e14271 * (0.008333334f + (_e14271 * (0.001388889f + (_e14271 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14266 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14321 * (1f + (_e14321 * (0.5f + (_e14321 * (0.16666667f + (_e14321 * (0.041666668f + (_e14321 * (0.008333334f + (_e14321 * (0.001388889f + (_e14321 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14316 + 127i)) << bitcast<u32>(23i))))), (_e14189.member_2 * (_e14392 / select(1e-12f, _e14189.member, (_e14189.member > 1e-12f)))));
 }
-let _e14457 = phi_35501_;
+let _e14457 = phi_35514_;
 let _e14463 = (_e12770.member * _e14457.member);
 let _e14477 = (((_e10911 * _e10911) + (_e10913 * _e10913)) + (_e10915 * _e10915));
 let _e14480 = sqrt(select(0f, _e14477, (_e14477 > 0f)));
 let _e14482 = select(1e-20f, _e14480, (_e14480 > 1e-20f));
 let _e14483 = (_e9625 / _e14482);
-let _e14487 = ((_e10923 - _e11373) / select(1e-20f, _e11002, (_e11002 > 1e-20f)));
+let _e14487 = ((_e10923 - _e11373) / select(1e-20f, _e11065, (_e11065 > 1e-20f)));
 let _e14497 = (_e4676.member.x + (_e11069 - _e10919));
 let _e14498 = (_e4676.member.y + (_e11070 - _e10920));
 let _e14499 = (_e4676.member.z + (_e11071 - _e10921));
 if _e3541 {
-phi_36115_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_36128_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e14503 = global_1.member.member_16.member;
 let _e14514 = ((((_e14503.member.member * _e14497) + (_e14503.member.member_1 * _e14498)) + (_e14503.member.member_2 * _e14499)) + _e14503.member_1);
@@ -5119,9 +5119,9 @@ let _e14721 = global_1.member.member_19.member_1;
 let _e14722 = (_e14721 != 0u);
 let _e14727 = select(0f, _e14715, _e14722);
 let _e14728 = select(1f, _e14717, _e14722);
-phi_36115_ = type_38(type_35(select(_e14715, _e14665, (_e14665 > _e14715)), select(_e14717, _e14667, (_e14667 < _e14717))), type_35(select(_e14727, _e14671, (_e14671 > _e14727)), select(_e14728, _e14673, (_e14673 < _e14728))), ((((1f * select(1f, 0f, (_e14545 && _e14536))) * select(1f, 0f, (_e14604 && _e14595))) * select(1f, 0f, (_e14663 && _e14654))) * select(1f, 0f, (_e14722 && _e14713))));
+phi_36128_ = type_38(type_35(select(_e14715, _e14665, (_e14665 > _e14715)), select(_e14717, _e14667, (_e14667 < _e14717))), type_35(select(_e14727, _e14671, (_e14671 > _e14727)), select(_e14728, _e14673, (_e14673 < _e14728))), ((((1f * select(1f, 0f, (_e14545 && _e14536))) * select(1f, 0f, (_e14604 && _e14595))) * select(1f, 0f, (_e14663 && _e14654))) * select(1f, 0f, (_e14722 && _e14713))));
 }
-let _e14740 = phi_36115_;
+let _e14740 = phi_36128_;
 let _e14746 = ((((_e578.member.member * _e14497) + (_e578.member.member_1 * _e14498)) + (_e578.member.member_2 * _e14499)) + _e578.member_1);
 let _e14752 = ((((_e593.member.member * _e14497) + (_e593.member.member_1 * _e14498)) + (_e593.member.member_2 * _e14499)) + _e593.member_1);
 let _e14758 = ((((_e608.member.member * _e14497) + (_e608.member.member_1 * _e14498)) + (_e608.member.member_2 * _e14499)) + _e608.member_1);
@@ -5228,11 +5228,11 @@ let _e15106 = global_1.member.member_12.member_14.member_1;
 let _e15107 = bitcast<i32>(_e15106);
 let _e15112 = global_1.member.member_12.member_14.member_2;
 if ((((((_e15093 >= 0i) && (_e15093 < _e15101)) && (_e15095 >= 0i)) && (_e15095 < _e15107)) && (_e15091 >= 0i)) && (_e15091 < bitcast<i32>(_e15112))) {
-phi_36822_ = (((((_e15091 * _e15107) + _e15095) * _e15101) + _e15093) * 3i);
+phi_36835_ = (((((_e15091 * _e15107) + _e15095) * _e15101) + _e15093) * 3i);
 } else {
-phi_36822_ = -1i;
+phi_36835_ = -1i;
 }
-let _e15131 = phi_36822_;
+let _e15131 = phi_36835_;
 let _e15132 = (_e15131 + 1i);
 let _e15134 = (bitcast<i32>(_e269) - 1i);
 let _e15136 = select(_e15134, _e15132, (_e15132 < _e15134));
@@ -5281,7 +5281,7 @@ let _e15253 = select(_e15134, _e15251, (_e15251 < _e15134));
 let _e15258 = global_4.member[bitcast<u32>(select(0i, _e15253, (_e15253 > 0i)))];
 let _e15269 = select(1f, (_e15220 + (((_e15241 + (((_e15250 + ((bitcast<f32>(_e15258) - _e15250) * _e15171)) - _e15241) * _e15173)) - _e15220) * _e15175)), _e15176);
 if _e11754 {
-phi_37399_ = vec3(_e15269);
+phi_37412_ = vec3(_e15269);
 } else {
 let _e15274 = global_1.member.member_12.member_12;
 let _e15275 = (_e15274 > 1u);
@@ -5347,12 +5347,12 @@ let _e15448 = bitcast<f32>(_e15447);
 let _e15449 = (_e15419 + 10i);
 let _e15451 = select(_e15134, _e15449, (_e15449 < _e15134));
 let _e15456 = global_4.member[bitcast<u32>(select(0i, _e15451, (_e15451 > 0i)))];
-phi_37399_ = vec3<f32>(_e15269, select(1f, (_e15323 + (((_e15344 + (((_e15353 + ((bitcast<f32>(_e15361) - _e15353) * _e15171)) - _e15344) * _e15173)) - _e15323) * _e15175)), _e15176), select(1f, (_e15418 + (((_e15439 + (((_e15448 + ((bitcast<f32>(_e15456) - _e15448) * _e15171)) - _e15439) * _e15173)) - _e15418) * _e15175)), _e15176));
+phi_37412_ = vec3<f32>(_e15269, select(1f, (_e15323 + (((_e15344 + (((_e15353 + ((bitcast<f32>(_e15361) - _e15353) * _e15171)) - _e15344) * _e15173)) - _e15323) * _e15175)), _e15176), select(1f, (_e15418 + (((_e15439 + (((_e15448 + ((bitcast<f32>(_e15456) - _e15448) * _e15171)) - _e15439) * _e15173)) - _e15418) * _e15175)), _e15176));
 }
-let _e15470 = phi_37399_;
-let _e15471 = (_e14994 - _e11003.member);
-let _e15472 = (_e15000 - _e11003.member_1);
-let _e15473 = (_e15006 - _e11003.member_2);
+let _e15470 = phi_37412_;
+let _e15471 = (_e14994 - _e11002.member);
+let _e15472 = (_e15000 - _e11002.member_1);
+let _e15473 = (_e15006 - _e11002.member_2);
 let _e15478 = (((_e15471 * _e15471) + (_e15472 * _e15472)) + (_e15473 * _e15473));
 let _e15481 = sqrt(select(0f, _e15478, (_e15478 > 0f)));
 let _e15484 = (1f / select(1e-20f, _e15481, (_e15481 > 1e-20f)));
@@ -5417,13 +5417,13 @@ let _e15739 = (_e15488 + select(0f, ((_e15609 + (((_e15665 + (((_e15682 + ((f32(
 let _e15742 = (_e15489 + select(0f, ((_e15612 + (((_e15668 + (((_e15693 + ((select(_e15713, -(_e15713), ((_e15703 >> bitcast<u32>(31i)) != 0u)) - _e15693) * _e15171)) - _e15668) * _e15173)) - _e15612) * _e15175)) * 6.151953e-5f), _e15176));
 let _e15746 = (1f - ((_e15739 * _e15739) + (_e15742 * _e15742)));
 let _e15748 = select(1e-4f, _e15746, (_e15746 > 1e-4f));
-phi_37806_ = vec3<f32>(_e15739, _e15742, sqrt(select(0f, _e15748, (_e15748 > 0f))));
+phi_37819_ = vec3<f32>(_e15739, _e15742, sqrt(select(0f, _e15748, (_e15748 > 0f))));
 } else {
-phi_37806_ = vec3<f32>(_e15488, _e15489, select(1f, (_e15473 * _e15484), _e10978));
+phi_37819_ = vec3<f32>(_e15488, _e15489, select(1f, (_e15473 * _e15484), _e10978));
 }
-let _e15754 = phi_37806_;
+let _e15754 = phi_37819_;
 if _e4441 {
-phi_37900_ = 1f;
+phi_37913_ = 1f;
 } else {
 let _e15760 = global_1.member.member_12.member_20.member;
 let _e15768 = (((_e15760.member * _e15471) + (_e15760.member_1 * _e15472)) + (_e15760.member_2 * _e15473));
@@ -5436,23 +5436,23 @@ let _e15796 = global_1.member.member_12.member_20.member_2;
 let _e15797 = ((_e15790 - (sqrt(select(0f, _e15779, (_e15779 > 0f))) / select(1e-20f, _e15768, (_e15768 > 1e-20f)))) * _e15796);
 let _e15799 = select(0f, _e15797, (_e15797 > 0f));
 let _e15801 = select(1f, _e15799, (_e15799 < 1f));
-phi_37900_ = select(1f, select(0f, ((_e15801 * _e15801) * (3f - (2f * _e15801))), (_e15768 > 0f)), (_e15796 > 0f));
+phi_37913_ = select(1f, select(0f, ((_e15801 * _e15801) * (3f - (2f * _e15801))), (_e15768 > 0f)), (_e15796 > 0f));
 }
-let _e15811 = phi_37900_;
+let _e15811 = phi_37913_;
 let _e15816 = global_1.member.member_11.member_1;
 if _e4441 {
-phi_37942_ = 1f;
+phi_37955_ = 1f;
 } else {
-phi_37942_ = (1f / select(1e-12f, _e15478, (_e15478 > 1e-12f)));
+phi_37955_ = (1f / select(1e-12f, _e15478, (_e15478 > 1e-12f)));
 }
-let _e15830 = phi_37942_;
+let _e15830 = phi_37955_;
 let _e15831 = (_e15830 * select(_e15811, 1f, (_e628 && _e15176)));
-let _e15843 = ((_e11031.member * _e15754.x) + (_e11042.member * _e15754.y));
-let _e15844 = ((_e11031.member_1 * _e15754.x) + (_e11042.member_1 * _e15754.y));
-let _e15845 = ((_e11031.member_2 * _e15754.x) + (_e11042.member_2 * _e15754.y));
-let _e15847 = (_e11056.member * _e15754.z);
-let _e15848 = (_e11056.member_1 * _e15754.z);
-let _e15849 = (_e11056.member_2 * _e15754.z);
+let _e15843 = ((_e11030.member * _e15754.x) + (_e11041.member * _e15754.y));
+let _e15844 = ((_e11030.member_1 * _e15754.x) + (_e11041.member_1 * _e15754.y));
+let _e15845 = ((_e11030.member_2 * _e15754.x) + (_e11041.member_2 * _e15754.y));
+let _e15847 = (_e11055.member * _e15754.z);
+let _e15848 = (_e11055.member_1 * _e15754.z);
+let _e15849 = (_e11055.member_2 * _e15754.z);
 let _e15851 = (_e15843 + _e15847);
 let _e15852 = (_e15844 + _e15848);
 let _e15853 = (_e15845 + _e15849);
@@ -5466,7 +5466,7 @@ let _e15867 = select(_e4864, _e15865, (_e15865 < _e4864));
 let _e15869 = select(_e4854, _e11633, (_e11633 > _e4854));
 let _e15871 = select(_e4869, _e15869, (_e15869 < _e4869));
 if _e8567 {
-phi_38173_ = vec3<f32>(_e15863, _e15867, _e15871);
+phi_38186_ = vec3<f32>(_e15863, _e15867, _e15871);
 } else {
 let _e15873 = (_e15863 + 0.5f);
 let _e15874 = (_e4739 - 1f);
@@ -5483,9 +5483,9 @@ let _e15910 = (_e4749 - 1f);
 let _e15912 = select(0f, _e15909, (_e15909 > 0f));
 let _e15914 = select(_e15910, _e15912, (_e15912 < _e15910));
 let _e15921 = select(0i, select(select(i32(_e15914), i32(-2147483648), (_e15914 < -2147483600f)), 2147483647i, (_e15914 > 2147483500f)), (_e15914 == _e15914));
-phi_38173_ = vec3<f32>(f32((_e15885 - select(0i, 1i, (_e15878 < f32(_e15885))))), f32((_e15903 - select(0i, 1i, (_e15896 < f32(_e15903))))), f32((_e15921 - select(0i, 1i, (_e15914 < f32(_e15921))))));
+phi_38186_ = vec3<f32>(f32((_e15885 - select(0i, 1i, (_e15878 < f32(_e15885))))), f32((_e15903 - select(0i, 1i, (_e15896 < f32(_e15903))))), f32((_e15921 - select(0i, 1i, (_e15914 < f32(_e15921))))));
 }
-let _e15929 = phi_38173_;
+let _e15929 = phi_38186_;
 let _e15932 = select(-1f, _e15929.x, (_e15929.x > -1f));
 let _e15934 = select(_e4739, _e15932, (_e15932 < _e4739));
 let _e15941 = select(0i, select(select(i32(_e15934), i32(-2147483648), (_e15934 < -2147483600f)), 2147483647i, (_e15934 > 2147483500f)), (_e15934 == _e15934));
@@ -5795,11 +5795,11 @@ let _e16759 = select(0i, select(select(i32(_e16752), i32(-2147483648), (_e16752 
 let _e16763 = (_e16759 - select(0i, 1i, (_e16752 < f32(_e16759))));
 let _e16764 = f32(_e16763);
 let _e16768 = ((_e16746 - (_e16764 * 0.6933594f)) - (_e16764 * -2.1219444e-4f));
-phi_39672_ = (select(((_e16740 - ((1f + (_e16768 * (1f + (_e16768 * (0.5f + (_e16768 * (0.16666667f + (_e16768 * (0.041666668f + (_e16768 * (0.008333334f + (_e16768 * (0.001388889f + (_e16768 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16763 + 127i)) << bitcast<u32>(23i))))) / select(_e16689, 1f, _e16693)), (_e16740 * (1f - (0.5f * _e16689))), _e16693) * (_e10866 / _e14936));
+phi_39685_ = (select(((_e16740 - ((1f + (_e16768 * (1f + (_e16768 * (0.5f + (_e16768 * (0.16666667f + (_e16768 * (0.041666668f + (_e16768 * (0.008333334f + (_e16768 * (0.001388889f + (_e16768 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16763 + 127i)) << bitcast<u32>(23i))))) / select(_e16689, 1f, _e16693)), (_e16740 * (1f - (0.5f * _e16689))), _e16693) * (_e10866 / _e14936));
 } else {
-phi_39672_ = _e15858;
+phi_39685_ = _e15858;
 }
-let _e16799 = phi_39672_;
+let _e16799 = phi_39685_;
 let _e16801 = select(_e8299.member, _e9143, (_e9143 < _e8299.member));
 let _e16803 = select(_e8299.member, _e9143, (_e9143 > _e8299.member));
 let _e16806 = (_e13083 + ((_e11373 - _e13083) * 0f));
@@ -5836,14 +5836,14 @@ let _e16935 = (_e11373 + ((_e16932 - _e11373) * 0f));
 let _e16985 = (263219i + ((((((select(0i, 1i, (_e16935 >= _e16814)) + select(0i, 1i, (_e16935 >= _e16824))) + (select(0i, 1i, (_e16935 >= _e16835)) + select(0i, 1i, (_e16935 >= _e16845)))) + ((select(0i, 1i, (_e16935 >= _e16857)) + select(0i, 1i, (_e16935 >= _e16867))) + (select(0i, 1i, (_e16935 >= _e16878)) + select(0i, 1i, (_e16935 >= _e16888))))) * 9i) + (((select(0i, 1i, (_e16932 >= _e16814)) + select(0i, 1i, (_e16932 >= _e16824))) + (select(0i, 1i, (_e16932 >= _e16835)) + select(0i, 1i, (_e16932 >= _e16845)))) + ((select(0i, 1i, (_e16932 >= _e16857)) + select(0i, 1i, (_e16932 >= _e16867))) + (select(0i, 1i, (_e16932 >= _e16878)) + select(0i, 1i, (_e16932 >= _e16888)))))) * 6i));
 let _e16987 = select(_e8876, _e16985, (_e16985 < _e8876));
 let _e16992 = global_3.member[bitcast<u32>(select(0i, _e16987, (_e16987 > 0i)))];
-phi_40471_ = (select(_e15858, _e16799, _e11000) * select((bitcast<f32>(_e16927) * bitcast<f32>(_e16992)), 1f, (select(_e13430, _e11739, (_e11739 < _e13430)) < 1f)));
+phi_40484_ = (select(_e15858, _e16799, _e11000) * select((bitcast<f32>(_e16927) * bitcast<f32>(_e16992)), 1f, (select(_e13430, _e11739, (_e11739 < _e13430)) < 1f)));
 } else {
-phi_40471_ = _e15858;
+phi_40484_ = _e15858;
 }
-let _e17002 = phi_40471_;
-phi_40481_ = type_40(vec3<f32>((((_e15470.x * _e15816.member) * _e15831) * ((_e12770.member_2.x * _e14457.member_2.x) * _e17002)), (((_e15470.y * _e15816.member_1) * _e15831) * ((_e12770.member_2.y * _e14457.member_2.y) * _e17002)), (((_e15470.z * _e15816.member_2) * _e15831) * ((_e12770.member_2.z * _e14457.member_2.z) * _e17002))), (vec3<f32>(_e15843, _e15844, _e15845) + vec3<f32>(_e15847, _e15848, _e15849)));
+let _e17002 = phi_40484_;
+phi_40494_ = type_40(vec3<f32>((((_e15470.x * _e15816.member) * _e15831) * ((_e12770.member_2.x * _e14457.member_2.x) * _e17002)), (((_e15470.y * _e15816.member_1) * _e15831) * ((_e12770.member_2.y * _e14457.member_2.y) * _e17002)), (((_e15470.z * _e15816.member_2) * _e15831) * ((_e12770.member_2.z * _e14457.member_2.z) * _e17002))), (vec3<f32>(_e15843, _e15844, _e15845) + vec3<f32>(_e15847, _e15848, _e15849)));
 }
-let _e17012 = phi_40481_;
+let _e17012 = phi_40494_;
 let _e17021 = (((_e17012.member_1.x * _e17012.member_1.x) + (_e17012.member_1.y * _e17012.member_1.y)) + (_e17012.member_1.z * _e17012.member_1.z));
 let _e17024 = sqrt(select(0f, _e17021, (_e17021 > 0f)));
 let _e17026 = ((_e3539 & 8u) != 0u);
@@ -5856,19 +5856,19 @@ let _e17065 = sqrt(select(0f, _e17062, (_e17062 > 0f)));
 let _e17071 = (_e17065 * _e17024);
 let _e17074 = ((((_e8299.member_2.x * _e17012.member_1.x) + (_e8299.member_2.y * _e17012.member_1.y)) + (_e8299.member_2.z * _e17012.member_1.z)) / select(1e-20f, _e17071, (_e17071 > 1e-20f)));
 if ((((_e8299.member_2.x * _e4676.member_1.x) + (_e8299.member_2.y * _e4676.member_1.y)) + (_e8299.member_2.z * _e4676.member_1.z)) > 0f) {
-phi_40613_ = _e17074;
+phi_40626_ = _e17074;
 } else {
-phi_40613_ = -(_e17074);
+phi_40626_ = -(_e17074);
 }
-let _e17083 = phi_40613_;
+let _e17083 = phi_40626_;
 let _e17091 = ((_e17065 / _e4768) * (1f / 0.015625f));
 let _e17093 = select(0f, _e17091, (_e17091 > 0f));
 let _e17095 = select(1f, _e17093, (_e17093 < 1f));
-phi_40656_ = (1f + ((((_e17083 + bitcast<f32>((bitcast<u32>(_e17083) & 2147483647u))) * 0.5f) - 1f) * select(_e10807, _e17095, (_e17095 > _e10807))));
+phi_40669_ = (1f + ((((_e17083 + bitcast<f32>((bitcast<u32>(_e17083) & 2147483647u))) * 0.5f) - 1f) * select(_e10807, _e17095, (_e17095 > _e10807))));
 } else {
-phi_40656_ = 1f;
+phi_40669_ = 1f;
 }
-let _e17102 = phi_40656_;
+let _e17102 = phi_40669_;
 let _e17109 = global_1.member.member_20.member;
 let _e17116 = (1f - _e4676.member_6);
 let _e17134 = (_e4676.member_5.x + (((_e4676.member_7.x * _e17042) * ((_e10803.member_3.x * (((_e17012.member.x * _e17034) * _e17102) + _e17109.member)) + 0f)) * _e17116));
@@ -5956,112 +5956,112 @@ let _e17536 = select(0f, _e17534, (_e17534 > 0f));
 let _e17538 = select(1f, _e17536, (_e17536 < 1f));
 if _e5511 {
 let _e17548 = global_1.member.member_12.member_18.member_4;
-phi_41104_ = _e17548;
+phi_41125_ = _e17548;
 } else {
 let _e17543 = global_1.member.member_12.member_18.member_3;
-phi_41104_ = _e17543;
+phi_41125_ = _e17543;
 }
-let _e17550 = phi_41104_;
+let _e17550 = phi_41125_;
 let _e17554 = ((bitcast<i32>(_e17550) + (_e17526 * _e17379)) + _e17509);
 let _e17555 = (_e17379 * _e17386);
 let _e17557 = (bitcast<i32>(_e269) - 1i);
 let _e17559 = select(_e17557, _e17554, (_e17554 < _e17557));
-let _e17565 = global_4.member[bitcast<u32>(select(0i, _e17559, (_e17559 > 0i)))];
-let _e17566 = bitcast<f32>(_e17565);
-let _e17567 = (_e17554 + 1i);
-let _e17569 = select(_e17557, _e17567, (_e17567 < _e17557));
-let _e17575 = global_4.member[bitcast<u32>(select(0i, _e17569, (_e17569 > 0i)))];
-let _e17579 = (_e17566 + ((bitcast<f32>(_e17575) - _e17566) * _e17532));
-let _e17580 = (_e17554 + _e17379);
-let _e17582 = select(_e17557, _e17580, (_e17580 < _e17557));
-let _e17588 = global_4.member[bitcast<u32>(select(0i, _e17582, (_e17582 > 0i)))];
-let _e17589 = bitcast<f32>(_e17588);
-let _e17590 = (_e17580 + 1i);
-let _e17592 = select(_e17557, _e17590, (_e17590 < _e17557));
-let _e17598 = global_4.member[bitcast<u32>(select(0i, _e17592, (_e17592 > 0i)))];
-let _e17605 = (_e17579 + (((_e17589 + ((bitcast<f32>(_e17598) - _e17589) * _e17532)) - _e17579) * _e17538));
-let _e17606 = (_e17554 + _e17555);
-let _e17608 = select(_e17557, _e17606, (_e17606 < _e17557));
-let _e17614 = global_4.member[bitcast<u32>(select(0i, _e17608, (_e17608 > 0i)))];
-let _e17615 = bitcast<f32>(_e17614);
-let _e17616 = (_e17606 + 1i);
-let _e17618 = select(_e17557, _e17616, (_e17616 < _e17557));
-let _e17624 = global_4.member[bitcast<u32>(select(0i, _e17618, (_e17618 > 0i)))];
-let _e17628 = (_e17615 + ((bitcast<f32>(_e17624) - _e17615) * _e17532));
-let _e17629 = (_e17606 + _e17379);
-let _e17631 = select(_e17557, _e17629, (_e17629 < _e17557));
-let _e17637 = global_4.member[bitcast<u32>(select(0i, _e17631, (_e17631 > 0i)))];
-let _e17638 = bitcast<f32>(_e17637);
-let _e17639 = (_e17629 + 1i);
-let _e17641 = select(_e17557, _e17639, (_e17639 < _e17557));
-let _e17647 = global_4.member[bitcast<u32>(select(0i, _e17641, (_e17641 > 0i)))];
-let _e17654 = (_e17628 + (((_e17638 + ((bitcast<f32>(_e17647) - _e17638) * _e17532)) - _e17628) * _e17538));
-let _e17656 = (_e17554 + (2i * _e17555));
-let _e17658 = select(_e17557, _e17656, (_e17656 < _e17557));
-let _e17664 = global_4.member[bitcast<u32>(select(0i, _e17658, (_e17658 > 0i)))];
-let _e17665 = bitcast<f32>(_e17664);
-let _e17666 = (_e17656 + 1i);
-let _e17668 = select(_e17557, _e17666, (_e17666 < _e17557));
-let _e17674 = global_4.member[bitcast<u32>(select(0i, _e17668, (_e17668 > 0i)))];
-let _e17678 = (_e17665 + ((bitcast<f32>(_e17674) - _e17665) * _e17532));
-let _e17679 = (_e17656 + _e17379);
-let _e17681 = select(_e17557, _e17679, (_e17679 < _e17557));
-let _e17687 = global_4.member[bitcast<u32>(select(0i, _e17681, (_e17681 > 0i)))];
-let _e17688 = bitcast<f32>(_e17687);
-let _e17689 = (_e17679 + 1i);
-let _e17691 = select(_e17557, _e17689, (_e17689 < _e17557));
-let _e17697 = global_4.member[bitcast<u32>(select(0i, _e17691, (_e17691 > 0i)))];
-let _e17704 = (_e17678 + (((_e17688 + ((bitcast<f32>(_e17697) - _e17688) * _e17532)) - _e17678) * _e17538));
+let _e17564 = global_4.member[bitcast<u32>(select(0i, _e17559, (_e17559 > 0i)))];
+let _e17565 = bitcast<f32>(_e17564);
+let _e17566 = (_e17554 + 1i);
+let _e17568 = select(_e17557, _e17566, (_e17566 < _e17557));
+let _e17573 = global_4.member[bitcast<u32>(select(0i, _e17568, (_e17568 > 0i)))];
+let _e17577 = (_e17565 + ((bitcast<f32>(_e17573) - _e17565) * _e17532));
+let _e17578 = (_e17554 + _e17379);
+let _e17580 = select(_e17557, _e17578, (_e17578 < _e17557));
+let _e17585 = global_4.member[bitcast<u32>(select(0i, _e17580, (_e17580 > 0i)))];
+let _e17586 = bitcast<f32>(_e17585);
+let _e17587 = (_e17578 + 1i);
+let _e17589 = select(_e17557, _e17587, (_e17587 < _e17557));
+let _e17594 = global_4.member[bitcast<u32>(select(0i, _e17589, (_e17589 > 0i)))];
+let _e17601 = (_e17577 + (((_e17586 + ((bitcast<f32>(_e17594) - _e17586) * _e17532)) - _e17577) * _e17538));
+let _e17602 = (_e17554 + _e17555);
+let _e17604 = select(_e17557, _e17602, (_e17602 < _e17557));
+let _e17609 = global_4.member[bitcast<u32>(select(0i, _e17604, (_e17604 > 0i)))];
+let _e17610 = bitcast<f32>(_e17609);
+let _e17611 = (_e17602 + 1i);
+let _e17613 = select(_e17557, _e17611, (_e17611 < _e17557));
+let _e17618 = global_4.member[bitcast<u32>(select(0i, _e17613, (_e17613 > 0i)))];
+let _e17622 = (_e17610 + ((bitcast<f32>(_e17618) - _e17610) * _e17532));
+let _e17623 = (_e17602 + _e17379);
+let _e17625 = select(_e17557, _e17623, (_e17623 < _e17557));
+let _e17630 = global_4.member[bitcast<u32>(select(0i, _e17625, (_e17625 > 0i)))];
+let _e17631 = bitcast<f32>(_e17630);
+let _e17632 = (_e17623 + 1i);
+let _e17634 = select(_e17557, _e17632, (_e17632 < _e17557));
+let _e17639 = global_4.member[bitcast<u32>(select(0i, _e17634, (_e17634 > 0i)))];
+let _e17646 = (_e17622 + (((_e17631 + ((bitcast<f32>(_e17639) - _e17631) * _e17532)) - _e17622) * _e17538));
+let _e17648 = (_e17554 + (2i * _e17555));
+let _e17650 = select(_e17557, _e17648, (_e17648 < _e17557));
+let _e17655 = global_4.member[bitcast<u32>(select(0i, _e17650, (_e17650 > 0i)))];
+let _e17656 = bitcast<f32>(_e17655);
+let _e17657 = (_e17648 + 1i);
+let _e17659 = select(_e17557, _e17657, (_e17657 < _e17557));
+let _e17664 = global_4.member[bitcast<u32>(select(0i, _e17659, (_e17659 > 0i)))];
+let _e17668 = (_e17656 + ((bitcast<f32>(_e17664) - _e17656) * _e17532));
+let _e17669 = (_e17648 + _e17379);
+let _e17671 = select(_e17557, _e17669, (_e17669 < _e17557));
+let _e17676 = global_4.member[bitcast<u32>(select(0i, _e17671, (_e17671 > 0i)))];
+let _e17677 = bitcast<f32>(_e17676);
+let _e17678 = (_e17669 + 1i);
+let _e17680 = select(_e17557, _e17678, (_e17678 < _e17557));
+let _e17685 = global_4.member[bitcast<u32>(select(0i, _e17680, (_e17680 > 0i)))];
+let _e17692 = (_e17668 + (((_e17677 + ((bitcast<f32>(_e17685) - _e17677) * _e17532)) - _e17668) * _e17538));
 if _e4441 {
-phi_41472_ = vec3<f32>(_e17605, _e17654, _e17704);
+phi_41493_ = vec3<f32>(_e17601, _e17646, _e17692);
 } else {
 if _e4441 {
-phi_41440_ = 1f;
+phi_41461_ = 1f;
 } else {
-let _e17710 = global_1.member.member_12.member_20.member;
-let _e17718 = (((_e17710.member * _e17219) + (_e17710.member_1 * _e17220)) + (_e17710.member_2 * _e17221));
-let _e17722 = (_e17219 - (_e17710.member * _e17718));
-let _e17723 = (_e17220 - (_e17710.member_1 * _e17718));
-let _e17724 = (_e17221 - (_e17710.member_2 * _e17718));
-let _e17729 = (((_e17722 * _e17722) + (_e17723 * _e17723)) + (_e17724 * _e17724));
-let _e17740 = global_1.member.member_12.member_20.member_1;
-let _e17746 = global_1.member.member_12.member_20.member_2;
-let _e17747 = ((_e17740 - (sqrt(select(0f, _e17729, (_e17729 > 0f))) / select(1e-20f, _e17718, (_e17718 > 1e-20f)))) * _e17746);
-let _e17749 = select(0f, _e17747, (_e17747 > 0f));
-let _e17751 = select(1f, _e17749, (_e17749 < 1f));
-phi_41440_ = select(1f, select(0f, ((_e17751 * _e17751) * (3f - (2f * _e17751))), (_e17718 > 0f)), (_e17746 > 0f));
+let _e17698 = global_1.member.member_12.member_20.member;
+let _e17706 = (((_e17698.member * _e17219) + (_e17698.member_1 * _e17220)) + (_e17698.member_2 * _e17221));
+let _e17710 = (_e17219 - (_e17698.member * _e17706));
+let _e17711 = (_e17220 - (_e17698.member_1 * _e17706));
+let _e17712 = (_e17221 - (_e17698.member_2 * _e17706));
+let _e17717 = (((_e17710 * _e17710) + (_e17711 * _e17711)) + (_e17712 * _e17712));
+let _e17728 = global_1.member.member_12.member_20.member_1;
+let _e17734 = global_1.member.member_12.member_20.member_2;
+let _e17735 = ((_e17728 - (sqrt(select(0f, _e17717, (_e17717 > 0f))) / select(1e-20f, _e17706, (_e17706 > 1e-20f)))) * _e17734);
+let _e17737 = select(0f, _e17735, (_e17735 > 0f));
+let _e17739 = select(1f, _e17737, (_e17737 < 1f));
+phi_41461_ = select(1f, select(0f, ((_e17739 * _e17739) * (3f - (2f * _e17739))), (_e17706 > 0f)), (_e17734 > 0f));
 }
-let _e17761 = phi_41440_;
-let _e17763 = select(0f, 1f, (_e17221 > 0f));
-let _e17767 = ((_e17605 * _e17763) + _e17761);
-let _e17768 = ((_e17654 * _e17763) + _e17761);
-let _e17769 = ((_e17704 * _e17763) + _e17761);
-phi_41472_ = vec3<f32>(select(0f, _e17767, (_e17767 > 0f)), select(0f, _e17768, (_e17768 > 0f)), select(0f, _e17769, (_e17769 > 0f)));
+let _e17749 = phi_41461_;
+let _e17751 = select(0f, 1f, (_e17221 > 0f));
+let _e17755 = ((_e17601 * _e17751) + _e17749);
+let _e17756 = ((_e17646 * _e17751) + _e17749);
+let _e17757 = ((_e17692 * _e17751) + _e17749);
+phi_41493_ = vec3<f32>(select(0f, _e17755, (_e17755 > 0f)), select(0f, _e17756, (_e17756 > 0f)), select(0f, _e17757, (_e17757 > 0f)));
 }
-let _e17778 = phi_41472_;
+let _e17766 = phi_41493_;
 if _e4441 {
-phi_41498_ = 1f;
+phi_41519_ = 1f;
 } else {
-phi_41498_ = (1f / select(1e-12f, _e17226, (_e17226 > 1e-12f)));
+phi_41519_ = (1f / select(1e-12f, _e17226, (_e17226 > 1e-12f)));
 }
-let _e17783 = phi_41498_;
-let _e17793 = global_1.member.member_11.member_1;
-phi_41766_ = type_40(vec3<f32>((_e17793.member * (_e17778.x * _e17783)), (_e17793.member_1 * (_e17778.y * _e17783)), (_e17793.member_2 * (_e17778.z * _e17783))), _e17277);
+let _e17771 = phi_41519_;
+let _e17781 = global_1.member.member_11.member_1;
+phi_41787_ = type_40(vec3<f32>((_e17781.member * (_e17766.x * _e17771)), (_e17781.member_1 * (_e17766.y * _e17771)), (_e17781.member_2 * (_e17766.z * _e17771))), _e17277);
 } else {
 if _e4441 {
 let _e17357 = global_1.member.member_11.member_1;
 let _e17365 = global_1.member.member_11.member;
-phi_41765_ = type_40(vec3<f32>(_e17357.member, _e17357.member_1, _e17357.member_2), vec3<f32>(_e17365.member, _e17365.member_1, _e17365.member_2));
+phi_41786_ = type_40(vec3<f32>(_e17357.member, _e17357.member_1, _e17357.member_2), vec3<f32>(_e17365.member, _e17365.member_1, _e17365.member_2));
 } else {
 let _e17283 = global_1.member.member_11.member_1;
 if _e4441 {
-phi_41609_ = 1f;
+phi_41630_ = 1f;
 } else {
-phi_41609_ = (1f / select(1e-12f, _e17226, (_e17226 > 1e-12f)));
+phi_41630_ = (1f / select(1e-12f, _e17226, (_e17226 > 1e-12f)));
 }
-let _e17291 = phi_41609_;
+let _e17291 = phi_41630_;
 if _e4441 {
-phi_41693_ = 1f;
+phi_41714_ = 1f;
 } else {
 let _e17296 = global_1.member.member_12.member_20.member;
 let _e17304 = (((_e17296.member * _e17219) + (_e17296.member_1 * _e17220)) + (_e17296.member_2 * _e17221));
@@ -6074,125 +6074,125 @@ let _e17332 = global_1.member.member_12.member_20.member_2;
 let _e17333 = ((_e17326 - (sqrt(select(0f, _e17315, (_e17315 > 0f))) / select(1e-20f, _e17304, (_e17304 > 1e-20f)))) * _e17332);
 let _e17335 = select(0f, _e17333, (_e17333 > 0f));
 let _e17337 = select(1f, _e17335, (_e17335 < 1f));
-phi_41693_ = select(1f, select(0f, ((_e17337 * _e17337) * (3f - (2f * _e17337))), (_e17304 > 0f)), (_e17332 > 0f));
+phi_41714_ = select(1f, select(0f, ((_e17337 * _e17337) * (3f - (2f * _e17337))), (_e17304 > 0f)), (_e17332 > 0f));
 }
-let _e17347 = phi_41693_;
+let _e17347 = phi_41714_;
 let _e17348 = (_e17291 * _e17347);
-phi_41765_ = type_40(vec3<f32>((_e17283.member * _e17348), (_e17283.member_1 * _e17348), (_e17283.member_2 * _e17348)), _e17277);
+phi_41786_ = type_40(vec3<f32>((_e17283.member * _e17348), (_e17283.member_1 * _e17348), (_e17283.member_2 * _e17348)), _e17277);
 }
-let _e17372 = phi_41765_;
-phi_41766_ = _e17372;
+let _e17372 = phi_41786_;
+phi_41787_ = _e17372;
 }
-let _e17803 = phi_41766_;
-let _e17807 = global_1.member.member_23.member_4;
+let _e17791 = phi_41787_;
+let _e17795 = global_1.member.member_23.member_4;
+let _e17803 = (((_e17795.member * _e5540) + (_e17795.member_1 * _e5541)) + (_e17795.member_2 * _e5542));
+let _e17807 = global_1.member.member_23.member_5;
 let _e17815 = (((_e17807.member * _e5540) + (_e17807.member_1 * _e5541)) + (_e17807.member_2 * _e5542));
-let _e17819 = global_1.member.member_23.member_5;
+let _e17819 = global_1.member.member_23.member_6;
 let _e17827 = (((_e17819.member * _e5540) + (_e17819.member_1 * _e5541)) + (_e17819.member_2 * _e5542));
-let _e17831 = global_1.member.member_23.member_6;
-let _e17839 = (((_e17831.member * _e5540) + (_e17831.member_1 * _e5541)) + (_e17831.member_2 * _e5542));
-let _e17843 = global_1.member.member_20.member_1;
-let _e17853 = global_1.member.member_20.member_2;
-let _e17866 = global_1.member.member_20.member_3;
-let _e17879 = global_1.member.member_20.member_4;
-let _e17883 = (_e17815 * _e17815);
-let _e17890 = global_1.member.member_20.member_5;
-let _e17894 = (_e17827 * _e17827);
-let _e17904 = global_1.member.member_20.member_6;
-let _e17908 = (_e17839 * _e17839);
-let _e17918 = global_1.member.member_20.member_7;
-let _e17922 = (_e17815 * _e17827);
-let _e17929 = global_1.member.member_20.member_8;
-let _e17933 = (_e17815 * _e17839);
-let _e17943 = global_1.member.member_20.member_9;
-let _e17947 = (_e17827 * _e17839);
-let _e17960 = ((_e17109.member + (((_e17843.member * _e17815) + (_e17853.member * _e17827)) + (_e17866.member * _e17839))) + ((((_e17879.member * _e17883) + (_e17890.member * _e17894)) + (_e17904.member * _e17908)) + (((_e17918.member * _e17922) + (_e17929.member * _e17933)) + (_e17943.member * _e17947))));
-let _e17961 = ((_e17109.member_1 + (((_e17843.member_1 * _e17815) + (_e17853.member_1 * _e17827)) + (_e17866.member_1 * _e17839))) + ((((_e17879.member_1 * _e17883) + (_e17890.member_1 * _e17894)) + (_e17904.member_1 * _e17908)) + (((_e17918.member_1 * _e17922) + (_e17929.member_1 * _e17933)) + (_e17943.member_1 * _e17947))));
-let _e17962 = ((_e17109.member_2 + (((_e17843.member_2 * _e17815) + (_e17853.member_2 * _e17827)) + (_e17866.member_2 * _e17839))) + ((((_e17879.member_2 * _e17883) + (_e17890.member_2 * _e17894)) + (_e17904.member_2 * _e17908)) + (((_e17918.member_2 * _e17922) + (_e17929.member_2 * _e17933)) + (_e17943.member_2 * _e17947))));
-let _e17977 = (((_e17803.member_1.x * _e17803.member_1.x) + (_e17803.member_1.y * _e17803.member_1.y)) + (_e17803.member_1.z * _e17803.member_1.z));
-let _e17980 = sqrt(select(0f, _e17977, (_e17977 > 0f)));
-let _e17984 = (1e-6f * _e17980);
-let _e17988 = select((_e17980 / select(_e17984, _e17803.member_1.z, (_e17803.member_1.z > _e17984))), 1f, _e17026);
-let _e18003 = (-((((_e5540 * _e17803.member_1.x) + (_e5541 * _e17803.member_1.y)) + (_e5542 * _e17803.member_1.z))) / select(1e-20f, _e17980, (_e17980 > 1e-20f)));
-let _e18008 = bitcast<f32>((bitcast<u32>(select(0f, _e18003, (_e18003 > 0f))) & 2147483647u));
-let _e18021 = (1f - _e17141);
-let _e18035 = select(_e17141, 1f, _e5552);
-let _e18040 = select(_e17146, _e17144, (_e17144 > _e17146));
-phi_42094_ = type_34(vec3<f32>(select(_e5447, _e17163, _e5552), select(_e5448, _e17164, _e5552), select(_e5449, _e17165, _e5552)), vec3<f32>(select((_e8547 + (_e8299.member_4.x * _e9125)), select((_e8547 + (_e9088 * _e9107)), _e8547, _e9108), _e5431), select((_e8548 + (_e8299.member_4.y * _e9125)), select((_e8548 + (_e9089 * _e9107)), _e8548, _e9108), _e5431), select((_e8549 + (_e8299.member_4.z * _e9125)), select((_e8549 + (_e9090 * _e9107)), _e8549, _e9108), _e5431)), _e8299.member, select(4f, 1f, (_e5552 || (((1f - _e18035) * select(_e17148, _e18040, (_e18040 > _e17148))) < 9.765625e-4f))), select(_e17159, (_e17159 + (_e18021 * _e17165)), _e5552), vec3<f32>(select(_e17134, (_e17134 + ((_e17144 * ((select(_e5533.member, _e5522.member, _e5511) * (((_e17803.member.x * _e17988) * _e18008) + select(0f, _e17960, (_e17960 > 0f)))) * _e17042)) * _e18021)), _e5552), select(_e17136, (_e17136 + ((_e17146 * ((select(_e5533.member_1, _e5522.member_1, _e5511) * (((_e17803.member.y * _e17988) * _e18008) + select(0f, _e17961, (_e17961 > 0f)))) * _e17042)) * _e18021)), _e5552), select(_e17138, (_e17138 + ((_e17148 * ((select(_e5533.member_2, _e5522.member_2, _e5511) * (((_e17803.member.z * _e17988) * _e18008) + select(0f, _e17962, (_e17962 > 0f)))) * _e17042)) * _e18021)), _e5552)), _e18035, (_e4676.member_7 * _e10803.member_2), select(0f, _e8299.member_3, (_e4689 != (_e5431 && !((_e9104 && (_e9073 != 0f)))))), -1.2676506e30f, _e4676.member_10, _e4676.member_11, _e4676.member_12);
-phi_42095_ = _e8540.member_2;
-phi_42097_ = _e8299;
+let _e17831 = global_1.member.member_20.member_1;
+let _e17841 = global_1.member.member_20.member_2;
+let _e17854 = global_1.member.member_20.member_3;
+let _e17867 = global_1.member.member_20.member_4;
+let _e17871 = (_e17803 * _e17803);
+let _e17878 = global_1.member.member_20.member_5;
+let _e17882 = (_e17815 * _e17815);
+let _e17892 = global_1.member.member_20.member_6;
+let _e17896 = (_e17827 * _e17827);
+let _e17906 = global_1.member.member_20.member_7;
+let _e17910 = (_e17803 * _e17815);
+let _e17917 = global_1.member.member_20.member_8;
+let _e17921 = (_e17803 * _e17827);
+let _e17931 = global_1.member.member_20.member_9;
+let _e17935 = (_e17815 * _e17827);
+let _e17948 = ((_e17109.member + (((_e17831.member * _e17803) + (_e17841.member * _e17815)) + (_e17854.member * _e17827))) + ((((_e17867.member * _e17871) + (_e17878.member * _e17882)) + (_e17892.member * _e17896)) + (((_e17906.member * _e17910) + (_e17917.member * _e17921)) + (_e17931.member * _e17935))));
+let _e17949 = ((_e17109.member_1 + (((_e17831.member_1 * _e17803) + (_e17841.member_1 * _e17815)) + (_e17854.member_1 * _e17827))) + ((((_e17867.member_1 * _e17871) + (_e17878.member_1 * _e17882)) + (_e17892.member_1 * _e17896)) + (((_e17906.member_1 * _e17910) + (_e17917.member_1 * _e17921)) + (_e17931.member_1 * _e17935))));
+let _e17950 = ((_e17109.member_2 + (((_e17831.member_2 * _e17803) + (_e17841.member_2 * _e17815)) + (_e17854.member_2 * _e17827))) + ((((_e17867.member_2 * _e17871) + (_e17878.member_2 * _e17882)) + (_e17892.member_2 * _e17896)) + (((_e17906.member_2 * _e17910) + (_e17917.member_2 * _e17921)) + (_e17931.member_2 * _e17935))));
+let _e17965 = (((_e17791.member_1.x * _e17791.member_1.x) + (_e17791.member_1.y * _e17791.member_1.y)) + (_e17791.member_1.z * _e17791.member_1.z));
+let _e17968 = sqrt(select(0f, _e17965, (_e17965 > 0f)));
+let _e17972 = (1e-6f * _e17968);
+let _e17976 = select((_e17968 / select(_e17972, _e17791.member_1.z, (_e17791.member_1.z > _e17972))), 1f, _e17026);
+let _e17991 = (-((((_e5540 * _e17791.member_1.x) + (_e5541 * _e17791.member_1.y)) + (_e5542 * _e17791.member_1.z))) / select(1e-20f, _e17968, (_e17968 > 1e-20f)));
+let _e17996 = bitcast<f32>((bitcast<u32>(select(0f, _e17991, (_e17991 > 0f))) & 2147483647u));
+let _e18009 = (1f - _e17141);
+let _e18023 = select(_e17141, 1f, _e5553);
+let _e18028 = select(_e17146, _e17144, (_e17144 > _e17146));
+phi_42115_ = type_34(vec3<f32>(select(_e5447, _e17163, _e5553), select(_e5448, _e17164, _e5553), select(_e5449, _e17165, _e5553)), vec3<f32>(select((_e8547 + (_e8299.member_4.x * _e9125)), select((_e8547 + (_e9088 * _e9107)), _e8547, _e9108), _e5431), select((_e8548 + (_e8299.member_4.y * _e9125)), select((_e8548 + (_e9089 * _e9107)), _e8548, _e9108), _e5431), select((_e8549 + (_e8299.member_4.z * _e9125)), select((_e8549 + (_e9090 * _e9107)), _e8549, _e9108), _e5431)), _e8299.member, select(4f, 1f, (_e5553 || (((1f - _e18023) * select(_e17148, _e18028, (_e18028 > _e17148))) < 9.765625e-4f))), select(_e17159, (_e17159 + (_e18009 * _e17165)), _e5553), vec3<f32>(select(_e17134, (_e17134 + ((_e17144 * ((select(_e5533.member, _e5522.member, _e5511) * (((_e17791.member.x * _e17976) * _e17996) + select(0f, _e17948, (_e17948 > 0f)))) * _e17042)) * _e18009)), _e5553), select(_e17136, (_e17136 + ((_e17146 * ((select(_e5533.member_1, _e5522.member_1, _e5511) * (((_e17791.member.y * _e17976) * _e17996) + select(0f, _e17949, (_e17949 > 0f)))) * _e17042)) * _e18009)), _e5553), select(_e17138, (_e17138 + ((_e17148 * ((select(_e5533.member_2, _e5522.member_2, _e5511) * (((_e17791.member.z * _e17976) * _e17996) + select(0f, _e17950, (_e17950 > 0f)))) * _e17042)) * _e18009)), _e5553)), _e18023, (_e4676.member_7 * _e10803.member_2), select(0f, _e8299.member_3, (_e4689 != (_e5431 && !((_e9104 && (_e9073 != 0f)))))), -1.2676506e30f, _e4676.member_10, _e4676.member_11, _e4676.member_12);
+phi_42116_ = _e8540.member_2;
+phi_42119_ = _e8299;
 }
-let _e18071 = phi_42094_;
-let _e18073 = phi_42095_;
-let _e18075 = phi_42097_;
-phi_10394_ = _e18071;
-phi_10396_ = _e18073;
-phi_10400_ = _e18075;
-phi_10402_ = (_e4682 + 1i);
+let _e18059 = phi_42115_;
+let _e18061 = phi_42116_;
+let _e18063 = phi_42119_;
+phi_10399_ = _e18059;
+phi_10401_ = _e18061;
+phi_10407_ = _e18063;
+phi_10409_ = (_e4682 + 1i);
 } else {
-phi_10394_ = type_34();
-phi_10396_ = f32();
-phi_10400_ = type_37();
-phi_10402_ = i32();
+phi_10399_ = type_34();
+phi_10401_ = f32();
+phi_10407_ = type_37();
+phi_10409_ = i32();
 }
-let _e18077 = phi_10394_;
-let _e18079 = phi_10396_;
-let _e18081 = phi_10400_;
-let _e18083 = phi_10402_;
+let _e18065 = phi_10399_;
+let _e18067 = phi_10401_;
+let _e18069 = phi_10407_;
+let _e18071 = phi_10409_;
 continue;
 continuing {
-phi_10393_ = _e18077;
-phi_10395_ = _e18079;
-phi_10399_ = _e18081;
-phi_10401_ = _e18083;
+phi_10398_ = _e18065;
+phi_10400_ = _e18067;
+phi_10406_ = _e18069;
+phi_10408_ = _e18071;
 break if !(_e4686);
 }
 }
-let _e18086 = local_62;
-let _e18090 = local_63;
-let _e18094 = local_64;
-let _e18098 = local_65;
-let _e18102 = local_66;
-let _e18106 = local_67;
-let _e18110 = local_68;
-let _e18113 = local_69;
-let _e18116 = local_70;
-let _e18120 = local_71;
-let _e18124 = local_72;
-let _e18128 = local_73;
-let _e18131 = local_74;
-let _e18135 = local_75;
-let _e18139 = local_76;
-let _e18143 = local_77;
-let _e18146 = local_78;
-let _e18149 = local_79;
-let _e18152 = local_80;
-let _e18155 = local_81;
-let _e18159 = local_82;
-let _e18163 = local_83;
-global_5.member[_e294] = _e18086.member.x;
-global_5.member[_e306] = _e18090.member.y;
-global_5.member[_e317] = _e18094.member.z;
-global_5.member[_e328] = _e18098.member_1.x;
-global_5.member[_e339] = _e18102.member_1.y;
-global_5.member[_e350] = _e18106.member_1.z;
-global_5.member[_e361] = _e18110.member_2;
-let _e18183 = local_84;
-global_5.member[_e372] = _e18183;
-global_5.member[_e383] = _e18113.member_4;
-global_5.member[_e394] = _e18116.member_5.x;
-global_5.member[_e405] = _e18120.member_5.y;
-global_5.member[_e416] = _e18124.member_5.z;
-global_5.member[_e427] = _e18128.member_6;
-global_5.member[_e438] = _e18131.member_7.x;
-global_5.member[_e449] = _e18135.member_7.y;
-global_5.member[_e460] = _e18139.member_7.z;
-global_5.member[_e471] = _e18143.member_8;
-global_5.member[_e482] = _e18146.member_9;
-global_5.member[_e493] = _e18149.member_10;
-global_5.member[_e504] = _e18152.member_11;
-global_5.member[_e515] = _e18155.member_12.x;
-global_5.member[_e526] = _e18159.member_12.y;
-global_5.member[_e537] = _e18163.member_12.z;
+let _e18074 = local_62;
+let _e18078 = local_63;
+let _e18082 = local_64;
+let _e18086 = local_65;
+let _e18090 = local_66;
+let _e18094 = local_67;
+let _e18098 = local_68;
+let _e18101 = local_69;
+let _e18104 = local_70;
+let _e18108 = local_71;
+let _e18112 = local_72;
+let _e18116 = local_73;
+let _e18119 = local_74;
+let _e18123 = local_75;
+let _e18127 = local_76;
+let _e18131 = local_77;
+let _e18134 = local_78;
+let _e18137 = local_79;
+let _e18140 = local_80;
+let _e18143 = local_81;
+let _e18147 = local_82;
+let _e18151 = local_83;
+global_5.member[_e294] = _e18074.member.x;
+global_5.member[_e306] = _e18078.member.y;
+global_5.member[_e317] = _e18082.member.z;
+global_5.member[_e328] = _e18086.member_1.x;
+global_5.member[_e339] = _e18090.member_1.y;
+global_5.member[_e350] = _e18094.member_1.z;
+global_5.member[_e361] = _e18098.member_2;
+let _e18171 = local_84;
+global_5.member[_e372] = _e18171;
+global_5.member[_e383] = _e18101.member_4;
+global_5.member[_e394] = _e18104.member_5.x;
+global_5.member[_e405] = _e18108.member_5.y;
+global_5.member[_e416] = _e18112.member_5.z;
+global_5.member[_e427] = _e18116.member_6;
+global_5.member[_e438] = _e18119.member_7.x;
+global_5.member[_e449] = _e18123.member_7.y;
+global_5.member[_e460] = _e18127.member_7.z;
+global_5.member[_e471] = _e18131.member_8;
+global_5.member[_e482] = _e18134.member_9;
+global_5.member[_e493] = _e18137.member_10;
+global_5.member[_e504] = _e18140.member_11;
+global_5.member[_e515] = _e18143.member_12.x;
+global_5.member[_e526] = _e18147.member_12.y;
+global_5.member[_e537] = _e18151.member_12.z;
 }
 }
 }

@@ -339,73 +339,73 @@ var local_58: f32;
 var local_59: type_30;
 var local_60: vec3<f32>;
 var local_61: type_32;
-var phi_8803_: vec3<f32>;
-var phi_7020_: vec3<f32>;
-var phi_9348_: f32;
-var phi_9349_: vec3<f32>;
-var phi_1072_: vec3<f32>;
-var phi_6673_: type_36;
-var phi_9351_: type_37;
-var phi_9864_: type_38;
-var phi_11199_: type_39;
-var phi_11236_: type_34;
-var phi_11340_: f32;
-var phi_11424_: f32;
-var phi_11496_: type_40;
-var phi_11501_: type_34;
-var phi_11503_: f32;
-var phi_11507_: type_37;
-var phi_11509_: i32;
-var phi_12984_: type_39;
-var phi_12996_: bool;
-var phi_13011_: vec3<f32>;
-var phi_21102_: vec3<f32>;
-var phi_19319_: vec3<f32>;
-var phi_21647_: f32;
-var phi_21648_: vec3<f32>;
-var phi_13371_: vec3<f32>;
-var phi_18972_: type_36;
-var phi_21650_: type_37;
-var phi_22175_: type_38;
-var phi_22371_: vec3<f32>;
-var phi_27254_: type_43;
-var phi_27255_: type_41;
-var phi_27256_: f32;
-var phi_27844_: vec3<f32>;
-var phi_28905_: type_38;
-var phi_32580_: type_42;
-var phi_32931_: type_43;
-var phi_33136_: vec3<f32>;
-var phi_34197_: type_38;
-var phi_37872_: type_42;
-var phi_38223_: type_43;
-var phi_38837_: type_38;
-var phi_39544_: i32;
-var phi_40121_: vec3<f32>;
-var phi_40528_: vec3<f32>;
-var phi_40622_: f32;
-var phi_40664_: f32;
-var phi_40895_: vec3<f32>;
-var phi_42863_: f32;
-var phi_43662_: f32;
-var phi_43672_: type_40;
-var phi_43804_: f32;
-var phi_43847_: f32;
-var phi_44800_: f32;
-var phi_44884_: f32;
-var phi_44956_: type_40;
-var phi_44295_: u32;
-var phi_44631_: f32;
-var phi_44663_: vec3<f32>;
-var phi_44689_: f32;
-var phi_44957_: type_40;
-var phi_45285_: type_34;
-var phi_45286_: f32;
-var phi_45288_: type_37;
-var phi_11502_: type_34;
-var phi_11504_: f32;
-var phi_11508_: type_37;
-var phi_11510_: i32;
+var phi_8808_: vec3<f32>;
+var phi_7025_: vec3<f32>;
+var phi_9353_: f32;
+var phi_9354_: vec3<f32>;
+var phi_1077_: vec3<f32>;
+var phi_6678_: type_36;
+var phi_9356_: type_37;
+var phi_9869_: type_38;
+var phi_11204_: type_39;
+var phi_11241_: type_34;
+var phi_11345_: f32;
+var phi_11429_: f32;
+var phi_11501_: type_40;
+var phi_11506_: type_34;
+var phi_11508_: f32;
+var phi_11514_: type_37;
+var phi_11516_: i32;
+var phi_12991_: type_39;
+var phi_13003_: bool;
+var phi_13018_: vec3<f32>;
+var phi_21109_: vec3<f32>;
+var phi_19326_: vec3<f32>;
+var phi_21654_: f32;
+var phi_21655_: vec3<f32>;
+var phi_13378_: vec3<f32>;
+var phi_18979_: type_36;
+var phi_21657_: type_37;
+var phi_22182_: type_38;
+var phi_22378_: vec3<f32>;
+var phi_27261_: type_43;
+var phi_27262_: type_41;
+var phi_27263_: f32;
+var phi_27857_: vec3<f32>;
+var phi_28918_: type_38;
+var phi_32593_: type_42;
+var phi_32944_: type_43;
+var phi_33149_: vec3<f32>;
+var phi_34210_: type_38;
+var phi_37885_: type_42;
+var phi_38236_: type_43;
+var phi_38850_: type_38;
+var phi_39557_: i32;
+var phi_40134_: vec3<f32>;
+var phi_40541_: vec3<f32>;
+var phi_40635_: f32;
+var phi_40677_: f32;
+var phi_40908_: vec3<f32>;
+var phi_42876_: f32;
+var phi_43675_: f32;
+var phi_43685_: type_40;
+var phi_43817_: f32;
+var phi_43860_: f32;
+var phi_44821_: f32;
+var phi_44905_: f32;
+var phi_44977_: type_40;
+var phi_44316_: u32;
+var phi_44652_: f32;
+var phi_44684_: vec3<f32>;
+var phi_44710_: f32;
+var phi_44978_: type_40;
+var phi_45306_: type_34;
+var phi_45307_: f32;
+var phi_45310_: type_37;
+var phi_11507_: type_34;
+var phi_11509_: f32;
+var phi_11515_: type_37;
+var phi_11517_: i32;
 var local_62: type_34;
 var local_63: type_34;
 var local_64: type_34;
@@ -577,7 +577,7 @@ let _e2534 = select(_e2527, _e617, (_e617 > _e2527));
 let _e2536 = select(_e2532, _e2534, (_e2534 < _e2532));
 let _e2541 = global_1.member.member_8.member_15;
 if (_e2541 == 0u) {
-phi_1072_ = vec3<f32>(_e2508, _e2522, _e2536);
+phi_1077_ = vec3<f32>(_e2508, _e2522, _e2536);
 } else {
 let _e2543 = (_e2508 + 0.5f);
 let _e2548 = global_1.member.member_8.member_3.member;
@@ -597,9 +597,9 @@ let _e2595 = (_e2594 - 1f);
 let _e2597 = select(0f, _e2589, (_e2589 > 0f));
 let _e2599 = select(_e2595, _e2597, (_e2597 < _e2595));
 let _e2606 = select(0i, select(select(i32(_e2599), i32(-2147483648), (_e2599 < -2147483600f)), 2147483647i, (_e2599 > 2147483500f)), (_e2599 == _e2599));
-phi_1072_ = vec3<f32>(f32((_e2560 - select(0i, 1i, (_e2553 < f32(_e2560))))), f32((_e2583 - select(0i, 1i, (_e2576 < f32(_e2583))))), f32((_e2606 - select(0i, 1i, (_e2599 < f32(_e2606))))));
+phi_1077_ = vec3<f32>(f32((_e2560 - select(0i, 1i, (_e2553 < f32(_e2560))))), f32((_e2583 - select(0i, 1i, (_e2576 < f32(_e2583))))), f32((_e2606 - select(0i, 1i, (_e2599 < f32(_e2606))))));
 }
-let _e2614 = phi_1072_;
+let _e2614 = phi_1077_;
 let _e2620 = global_1.member.member_8.member_3.member;
 let _e2622 = select(-1f, _e2614.x, (_e2614.x > -1f));
 let _e2624 = select(_e2620, _e2622, (_e2622 < _e2620));
@@ -1034,7 +1034,7 @@ if _e625 {
 let _e4448 = ((0.5f * (_e3739 - _e3733)) * _e3997);
 let _e4449 = ((0.5f * (_e3751 - _e3745)) * _e3997);
 let _e4450 = ((0.5f * (_e3763 - _e3757)) * _e3997);
-phi_6673_ = type_36(_e3959, vec3<f32>(_e4448, _e4449, _e4450), vec3<f32>((_e4448 * _e3959), (_e4449 * _e3959), (_e4450 * _e3959)));
+phi_6678_ = type_36(_e3959, vec3<f32>(_e4448, _e4449, _e4450), vec3<f32>((_e4448 * _e3959), (_e4449 * _e3959), (_e4450 * _e3959)));
 } else {
 local_55 = _e3733;
 let _e3998 = local_55;
@@ -1183,9 +1183,9 @@ let _e4423 = ((_e3944 + (f32(bitcast<i32>((_e4408 >> bitcast<u32>(12u)))) * _e39
 let _e4424 = (_e4139 - _e4068);
 let _e4426 = (_e4281 - _e4210);
 let _e4428 = (_e4423 - _e4352);
-phi_6673_ = type_36(_e3959, vec3<f32>((0.5f * _e4424), (0.5f * _e4426), (0.5f * _e4428)), vec3<f32>((0.25f * (_e4424 * (_e4139 + _e4068))), (0.25f * (_e4426 * (_e4281 + _e4210))), (0.25f * (_e4428 * (_e4423 + _e4352)))));
+phi_6678_ = type_36(_e3959, vec3<f32>((0.5f * _e4424), (0.5f * _e4426), (0.5f * _e4428)), vec3<f32>((0.25f * (_e4424 * (_e4139 + _e4068))), (0.25f * (_e4426 * (_e4281 + _e4210))), (0.25f * (_e4428 * (_e4423 + _e4352)))));
 }
-let _e4458 = phi_6673_;
+let _e4458 = phi_6678_;
 let _e4473 = select(0f, 1f, ((((((_e587 >= _e2499) && (_e587 <= _e2504)) && (_e602 >= _e2513)) && (_e602 <= _e2518)) && (_e617 >= _e2527)) && (_e617 <= _e2532)));
 let _e4475 = (0.5f * (_e3739 - _e3733));
 let _e4477 = (0.5f * (_e3751 - _e3745));
@@ -1202,7 +1202,7 @@ let _e4533 = global_1.member.member_8.member_2.member.member_2;
 let _e4538 = (((_e4485 * _e4475) + (_e4503 * _e4477)) + (_e4521 * _e4479));
 let _e4543 = (((_e4491 * _e4475) + (_e4509 * _e4477)) + (_e4527 * _e4479));
 let _e4548 = (((_e4497 * _e4475) + (_e4515 * _e4477)) + (_e4533 * _e4479));
-phi_9351_ = type_37(_e3727, vec3<f32>((_e4538 * _e4473), (_e4543 * _e4473), (_e4548 * _e4473)), vec3<f32>(_e4538, _e4543, _e4548), _e4458.member, vec3<f32>(((((_e4485 * _e4458.member_2.x) + (_e4503 * _e4458.member_2.y)) + (_e4521 * _e4458.member_2.z)) * _e4473), ((((_e4491 * _e4458.member_2.x) + (_e4509 * _e4458.member_2.y)) + (_e4527 * _e4458.member_2.z)) * _e4473), ((((_e4497 * _e4458.member_2.x) + (_e4515 * _e4458.member_2.y)) + (_e4533 * _e4458.member_2.z)) * _e4473)), vec3<f32>(((((_e4485 * _e4458.member_1.x) + (_e4503 * _e4458.member_1.y)) + (_e4521 * _e4458.member_1.z)) * _e4473), ((((_e4491 * _e4458.member_1.x) + (_e4509 * _e4458.member_1.y)) + (_e4527 * _e4458.member_1.z)) * _e4473), ((((_e4497 * _e4458.member_1.x) + (_e4515 * _e4458.member_1.y)) + (_e4533 * _e4458.member_1.z)) * _e4473)));
+phi_9356_ = type_37(_e3727, vec3<f32>((_e4538 * _e4473), (_e4543 * _e4473), (_e4548 * _e4473)), vec3<f32>(_e4538, _e4543, _e4548), _e4458.member, vec3<f32>(((((_e4485 * _e4458.member_2.x) + (_e4503 * _e4458.member_2.y)) + (_e4521 * _e4458.member_2.z)) * _e4473), ((((_e4491 * _e4458.member_2.x) + (_e4509 * _e4458.member_2.y)) + (_e4527 * _e4458.member_2.z)) * _e4473), ((((_e4497 * _e4458.member_2.x) + (_e4515 * _e4458.member_2.y)) + (_e4533 * _e4458.member_2.z)) * _e4473)), vec3<f32>(((((_e4485 * _e4458.member_1.x) + (_e4503 * _e4458.member_1.y)) + (_e4521 * _e4458.member_1.z)) * _e4473), ((((_e4491 * _e4458.member_1.x) + (_e4509 * _e4458.member_1.y)) + (_e4527 * _e4458.member_1.z)) * _e4473), ((((_e4497 * _e4458.member_1.x) + (_e4515 * _e4458.member_1.y)) + (_e4533 * _e4458.member_1.z)) * _e4473)));
 } else {
 if (_e277.member_2 == 8u) {
 let _e1149 = global_1.member.member_8.member_4.member;
@@ -1219,7 +1219,7 @@ let _e1184 = select(_e1177, _e617, (_e617 > _e1177));
 let _e1186 = select(_e1182, _e1184, (_e1184 < _e1182));
 let _e1191 = global_1.member.member_8.member_15;
 if (_e1191 == 0u) {
-phi_7020_ = vec3<f32>(_e1158, _e1172, _e1186);
+phi_7025_ = vec3<f32>(_e1158, _e1172, _e1186);
 } else {
 let _e1193 = (_e1158 + 0.5f);
 let _e1198 = global_1.member.member_8.member_3.member;
@@ -1239,9 +1239,9 @@ let _e1245 = (_e1244 - 1f);
 let _e1247 = select(0f, _e1239, (_e1239 > 0f));
 let _e1249 = select(_e1245, _e1247, (_e1247 < _e1245));
 let _e1256 = select(0i, select(select(i32(_e1249), i32(-2147483648), (_e1249 < -2147483600f)), 2147483647i, (_e1249 > 2147483500f)), (_e1249 == _e1249));
-phi_7020_ = vec3<f32>(f32((_e1210 - select(0i, 1i, (_e1203 < f32(_e1210))))), f32((_e1233 - select(0i, 1i, (_e1226 < f32(_e1233))))), f32((_e1256 - select(0i, 1i, (_e1249 < f32(_e1256))))));
+phi_7025_ = vec3<f32>(f32((_e1210 - select(0i, 1i, (_e1203 < f32(_e1210))))), f32((_e1233 - select(0i, 1i, (_e1226 < f32(_e1233))))), f32((_e1256 - select(0i, 1i, (_e1249 < f32(_e1256))))));
 }
-let _e1264 = phi_7020_;
+let _e1264 = phi_7025_;
 let _e1270 = global_1.member.member_8.member_3.member;
 let _e1272 = select(-1f, _e1264.x, (_e1264.x > -1f));
 let _e1274 = select(_e1270, _e1272, (_e1272 < _e1270));
@@ -1594,8 +1594,8 @@ let _e2455 = global_1.member.member_8.member_1.member.member_2;
 let _e2461 = global_1.member.member_8.member_2.member.member;
 let _e2467 = global_1.member.member_8.member_2.member.member_1;
 let _e2473 = global_1.member.member_8.member_2.member.member_2;
-phi_9348_ = select(1e9f, _e2375, (_e2375 < 1e9f));
-phi_9349_ = vec3<f32>((((_e2425 * _e2415) + (_e2443 * _e2417)) + (_e2461 * _e2419)), (((_e2431 * _e2415) + (_e2449 * _e2417)) + (_e2467 * _e2419)), (((_e2437 * _e2415) + (_e2455 * _e2417)) + (_e2473 * _e2419)));
+phi_9353_ = select(1e9f, _e2375, (_e2375 < 1e9f));
+phi_9354_ = vec3<f32>((((_e2425 * _e2415) + (_e2443 * _e2417)) + (_e2461 * _e2419)), (((_e2431 * _e2415) + (_e2449 * _e2417)) + (_e2467 * _e2419)), (((_e2437 * _e2415) + (_e2455 * _e2417)) + (_e2473 * _e2419)));
 } else {
 let _e632 = global_1.member.member_8.member_4.member;
 let _e637 = global_1.member.member_8.member_5.member;
@@ -1611,7 +1611,7 @@ let _e667 = select(_e660, _e617, (_e617 > _e660));
 let _e669 = select(_e665, _e667, (_e667 < _e665));
 let _e674 = global_1.member.member_8.member_15;
 if (_e674 == 0u) {
-phi_8803_ = vec3<f32>(_e641, _e655, _e669);
+phi_8808_ = vec3<f32>(_e641, _e655, _e669);
 } else {
 let _e676 = (_e641 + 0.5f);
 let _e681 = global_1.member.member_8.member_3.member;
@@ -1631,9 +1631,9 @@ let _e728 = (_e727 - 1f);
 let _e730 = select(0f, _e722, (_e722 > 0f));
 let _e732 = select(_e728, _e730, (_e730 < _e728));
 let _e739 = select(0i, select(select(i32(_e732), i32(-2147483648), (_e732 < -2147483600f)), 2147483647i, (_e732 > 2147483500f)), (_e732 == _e732));
-phi_8803_ = vec3<f32>(f32((_e693 - select(0i, 1i, (_e686 < f32(_e693))))), f32((_e716 - select(0i, 1i, (_e709 < f32(_e716))))), f32((_e739 - select(0i, 1i, (_e732 < f32(_e739))))));
+phi_8808_ = vec3<f32>(f32((_e693 - select(0i, 1i, (_e686 < f32(_e693))))), f32((_e716 - select(0i, 1i, (_e709 < f32(_e716))))), f32((_e739 - select(0i, 1i, (_e732 < f32(_e739))))));
 }
-let _e747 = phi_8803_;
+let _e747 = phi_8808_;
 let _e753 = global_1.member.member_8.member_3.member;
 let _e755 = select(-1f, _e747.x, (_e747.x > -1f));
 let _e757 = select(_e753, _e755, (_e755 < _e753));
@@ -1742,18 +1742,18 @@ let _e1137 = global_1.member.member_8.member_7;
 let _e1139 = (((_e1018 + (((_e1069 + (((_e1109 + ((f32(bitcast<i32>(((_e1102 >> bitcast<u32>((_e1110 & 31u))) & 65535u))) - _e1109) * _e1117)) - _e1069) * _e1121)) - _e1018) * _e1126)) - _e1133) * _e1137);
 let _e1140 = -(1e9f);
 let _e1142 = select(_e1140, _e1139, (_e1139 > _e1140));
-phi_9348_ = select(1e9f, _e1142, (_e1142 < 1e9f));
-phi_9349_ = vec3<f32>(0f, 0f, 0f);
+phi_9353_ = select(1e9f, _e1142, (_e1142 < 1e9f));
+phi_9354_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e2491 = phi_9348_;
-let _e2493 = phi_9349_;
-phi_9351_ = type_37(_e2491, vec3<f32>(0f, 0f, 0f), _e2493, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2491 = phi_9353_;
+let _e2493 = phi_9354_;
+phi_9356_ = type_37(_e2491, vec3<f32>(0f, 0f, 0f), _e2493, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e4600 = phi_9351_;
+let _e4600 = phi_9356_;
 let _e4603 = global_1.member.member_1;
 let _e4605 = ((_e4603 & 16u) == 0u);
 if _e4605 {
-phi_9864_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_9869_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e4609 = global_1.member.member_16.member;
 let _e4620 = ((((_e4609.member.member * _e303) + (_e4609.member.member_1 * _e313)) + (_e4609.member.member_2 * _e324)) + _e4609.member_1);
@@ -1819,9 +1819,9 @@ let _e4795 = global_1.member.member_19.member_1;
 let _e4796 = (_e4795 != 0u);
 let _e4801 = select(0f, _e4790, _e4796);
 let _e4802 = select(1f, _e4791, _e4796);
-phi_9864_ = type_38(type_35(select(_e4790, _e4747, (_e4747 > _e4790)), select(_e4791, _e4749, (_e4749 < _e4791))), type_35(select(_e4801, _e4753, (_e4753 > _e4801)), select(_e4802, _e4755, (_e4755 < _e4802))), ((((1f * select(1f, 0f, (_e4643 && _e4635))) * select(1f, 0f, (_e4694 && _e4686))) * select(1f, 0f, (_e4745 && _e4737))) * select(1f, 0f, (_e4796 && _e4788))));
+phi_9869_ = type_38(type_35(select(_e4790, _e4747, (_e4747 > _e4790)), select(_e4791, _e4749, (_e4749 < _e4791))), type_35(select(_e4801, _e4753, (_e4753 > _e4801)), select(_e4802, _e4755, (_e4755 < _e4802))), ((((1f * select(1f, 0f, (_e4643 && _e4635))) * select(1f, 0f, (_e4694 && _e4686))) * select(1f, 0f, (_e4745 && _e4737))) * select(1f, 0f, (_e4796 && _e4788))));
 }
-let _e4814 = phi_9864_;
+let _e4814 = phi_9869_;
 if _e545 {
 let _e4816 = type_34(_e567, _e568, _e368, 4f, _e390, _e569, _e434, _e570, _e478, _e489, _e500, _e511, _e571);
 let _e4821 = global_1.member.member_7.member_2;
@@ -1947,7 +1947,7 @@ let _e5142 = select(select(select(select(select(select(0f, _e4853.member, _e4923
 let _e5143 = select(select(select(select(select(select(0f, _e4853.member_1, _e4923), _e4853.member_1, _e4963), _e4861.member_1, _e5003), _e4861.member_1, _e5043), _e4869.member_1, _e5083), _e4869.member_1, _e5123);
 let _e5144 = select(select(select(select(select(select(1f, _e4853.member_2, _e4923), _e4853.member_2, _e4963), _e4861.member_2, _e5003), _e4861.member_2, _e5043), _e4869.member_2, _e5083), _e4869.member_2, _e5123);
 if _e4605 {
-phi_11199_ = type_39(_e5129, vec3<f32>(_e5130, _e5131, _e5132), _e5134, vec3<f32>(_e5135, _e5136, _e5137), _e5139, _e5141, vec3<f32>(_e5142, _e5143, _e5144));
+phi_11204_ = type_39(_e5129, vec3<f32>(_e5130, _e5131, _e5132), _e5134, vec3<f32>(_e5135, _e5136, _e5137), _e5139, _e5141, vec3<f32>(_e5142, _e5143, _e5144));
 } else {
 let _e5151 = (((_e4853.member * _e4853.member) + (_e4853.member_1 * _e4853.member_1)) + (_e4853.member_2 * _e4853.member_2));
 let _e5154 = sqrt(select(0f, _e5151, (_e5151 > 0f)));
@@ -2027,21 +2027,21 @@ let _e5438 = select(2f, select(0f, _e5430, (_e5411 < 0f)), (_e5412 > 0f));
 let _e5439 = (_e5411 > _e5377);
 let _e5443 = ((_e5434 > _e5369) || ((_e5434 == _e5369) && _e5439));
 let _e5444 = (_e5438 < _e5373);
-phi_11199_ = type_39(select(_e5369, _e5434, _e5443), vec3<f32>(select(select(select(select(_e5130, _e5189.member, _e5215), _e5265.member, _e5291), _e5341.member, _e5367), _e5417.member, _e5443), select(select(select(select(_e5131, _e5189.member_1, _e5215), _e5265.member_1, _e5291), _e5341.member_1, _e5367), _e5417.member_1, _e5443), select(select(select(select(_e5132, _e5189.member_2, _e5215), _e5265.member_2, _e5291), _e5341.member_2, _e5367), _e5417.member_2, _e5443)), select(_e5373, _e5438, _e5444), vec3<f32>(select(select(select(select(_e5135, _e5189.member, _e5216), _e5265.member, _e5292), _e5341.member, _e5368), _e5417.member, _e5444), select(select(select(select(_e5136, _e5189.member_1, _e5216), _e5265.member_1, _e5292), _e5341.member_1, _e5368), _e5417.member_1, _e5444), select(select(select(select(_e5137, _e5189.member_2, _e5216), _e5265.member_2, _e5292), _e5341.member_2, _e5368), _e5417.member_2, _e5444)), select(_e5377, _e5411, _e5439), select(_e5379, _e5412, (_e5412 > _e5379)), vec3<f32>(select(select(select(select(_e5142, _e5189.member, _e5211), _e5265.member, _e5287), _e5341.member, _e5363), _e5417.member, _e5439), select(select(select(select(_e5143, _e5189.member_1, _e5211), _e5265.member_1, _e5287), _e5341.member_1, _e5363), _e5417.member_1, _e5439), select(select(select(select(_e5144, _e5189.member_2, _e5211), _e5265.member_2, _e5287), _e5341.member_2, _e5363), _e5417.member_2, _e5439)));
+phi_11204_ = type_39(select(_e5369, _e5434, _e5443), vec3<f32>(select(select(select(select(_e5130, _e5189.member, _e5215), _e5265.member, _e5291), _e5341.member, _e5367), _e5417.member, _e5443), select(select(select(select(_e5131, _e5189.member_1, _e5215), _e5265.member_1, _e5291), _e5341.member_1, _e5367), _e5417.member_1, _e5443), select(select(select(select(_e5132, _e5189.member_2, _e5215), _e5265.member_2, _e5291), _e5341.member_2, _e5367), _e5417.member_2, _e5443)), select(_e5373, _e5438, _e5444), vec3<f32>(select(select(select(select(_e5135, _e5189.member, _e5216), _e5265.member, _e5292), _e5341.member, _e5368), _e5417.member, _e5444), select(select(select(select(_e5136, _e5189.member_1, _e5216), _e5265.member_1, _e5292), _e5341.member_1, _e5368), _e5417.member_1, _e5444), select(select(select(select(_e5137, _e5189.member_2, _e5216), _e5265.member_2, _e5292), _e5341.member_2, _e5368), _e5417.member_2, _e5444)), select(_e5377, _e5411, _e5439), select(_e5379, _e5412, (_e5412 > _e5379)), vec3<f32>(select(select(select(select(_e5142, _e5189.member, _e5211), _e5265.member, _e5287), _e5341.member, _e5363), _e5417.member, _e5439), select(select(select(select(_e5143, _e5189.member_1, _e5211), _e5265.member_1, _e5287), _e5341.member_1, _e5363), _e5417.member_1, _e5439), select(select(select(select(_e5144, _e5189.member_2, _e5211), _e5265.member_2, _e5287), _e5341.member_2, _e5363), _e5417.member_2, _e5439)));
 }
-let _e5464 = phi_11199_;
+let _e5464 = phi_11204_;
 let _e5474 = (select(select(0.5f, _e5464.member_2, (_e5464.member_2 < 1f)), 0f, (_e489 == -1.2676506e30f)) * ((_e4821 / _e357) * select(_e4814.member_2, 0f, (_e478 == 0f))));
-phi_11236_ = type_34(_e4816.member, vec3<f32>((_e335 - (_e4600.member_4.x * _e5474)), (_e346 - (_e4600.member_4.y * _e5474)), (_e357 - (_e4600.member_4.z * _e5474))), _e4816.member_2, _e4816.member_3, _e4816.member_4, _e4816.member_5, _e4816.member_6, _e4816.member_7, _e4816.member_8, _e4816.member_9, _e4816.member_10, _e4816.member_11, _e4816.member_12);
+phi_11241_ = type_34(_e4816.member, vec3<f32>((_e335 - (_e4600.member_4.x * _e5474)), (_e346 - (_e4600.member_4.y * _e5474)), (_e357 - (_e4600.member_4.z * _e5474))), _e4816.member_2, _e4816.member_3, _e4816.member_4, _e4816.member_5, _e4816.member_6, _e4816.member_7, _e4816.member_8, _e4816.member_9, _e4816.member_10, _e4816.member_11, _e4816.member_12);
 } else {
-phi_11236_ = type_34(_e567, _e568, _e368, _e379, _e390, _e569, _e434, _e570, _e478, _e489, _e500, _e511, _e571);
+phi_11241_ = type_34(_e567, _e568, _e368, _e379, _e390, _e569, _e434, _e570, _e478, _e489, _e500, _e511, _e571);
 }
-let _e5499 = phi_11236_;
+let _e5499 = phi_11241_;
 let _e5504 = global_1.member.member_12.member_3;
 let _e5505 = (_e5504 == 0u);
 if _e5505 {
 let _e5723 = global_1.member.member_11.member_1;
 let _e5731 = global_1.member.member_11.member;
-phi_11496_ = type_40(vec3<f32>(_e5723.member, _e5723.member_1, _e5723.member_2), vec3<f32>(_e5731.member, _e5731.member_1, _e5731.member_2));
+phi_11501_ = type_40(vec3<f32>(_e5723.member, _e5723.member_1, _e5723.member_2), vec3<f32>(_e5731.member, _e5731.member_1, _e5731.member_2));
 } else {
 let _e5509 = global_1.member.member_12.member;
 let _e5523 = ((((_e5509.member.member * _e5499.member.x) + (_e5509.member.member_1 * _e5499.member.y)) + (_e5509.member.member_2 * _e5499.member.z)) + _e5509.member_1);
@@ -2051,18 +2051,18 @@ let _e5542 = global_1.member.member_12.member_2;
 let _e5553 = ((((_e5542.member.member * _e5499.member.x) + (_e5542.member.member_1 * _e5499.member.y)) + (_e5542.member.member_2 * _e5499.member.z)) + _e5542.member_1);
 let _e5557 = global_1.member.member_11.member_1;
 if _e5505 {
-phi_11340_ = 1f;
+phi_11345_ = 1f;
 } else {
 let _e5564 = global_1.member.member_12.member_19;
 let _e5568 = (_e5523 - _e5564.member);
 let _e5569 = (_e5538 - _e5564.member_1);
 let _e5570 = (_e5553 - _e5564.member_2);
 let _e5575 = (((_e5568 * _e5568) + (_e5569 * _e5569)) + (_e5570 * _e5570));
-phi_11340_ = (1f / select(1e-12f, _e5575, (_e5575 > 1e-12f)));
+phi_11345_ = (1f / select(1e-12f, _e5575, (_e5575 > 1e-12f)));
 }
-let _e5580 = phi_11340_;
+let _e5580 = phi_11345_;
 if _e5505 {
-phi_11424_ = 1f;
+phi_11429_ = 1f;
 } else {
 let _e5584 = global_1.member.member_12.member_19;
 let _e5588 = (_e5523 - _e5584.member);
@@ -2079,9 +2079,9 @@ let _e5631 = global_1.member.member_12.member_20.member_2;
 let _e5632 = ((_e5625 - (sqrt(select(0f, _e5614, (_e5614 > 0f))) / select(1e-20f, _e5603, (_e5603 > 1e-20f)))) * _e5631);
 let _e5634 = select(0f, _e5632, (_e5632 > 0f));
 let _e5636 = select(1f, _e5634, (_e5634 < 1f));
-phi_11424_ = select(1f, select(0f, ((_e5636 * _e5636) * (3f - (2f * _e5636))), (_e5603 > 0f)), (_e5631 > 0f));
+phi_11429_ = select(1f, select(0f, ((_e5636 * _e5636) * (3f - (2f * _e5636))), (_e5603 > 0f)), (_e5631 > 0f));
 }
-let _e5646 = phi_11424_;
+let _e5646 = phi_11429_;
 let _e5647 = (_e5580 * _e5646);
 let _e5652 = (_e5504 != 0u);
 let _e5656 = global_1.member.member_12.member_19;
@@ -2097,18 +2097,18 @@ let _e5679 = select(1f, (_e5662 * _e5673), _e5652);
 let _e5684 = global_1.member.member_12.member.member;
 let _e5695 = global_1.member.member_12.member_1.member;
 let _e5709 = global_1.member.member_12.member_2.member;
-phi_11496_ = type_40(vec3<f32>((_e5557.member * _e5647), (_e5557.member_1 * _e5647), (_e5557.member_2 * _e5647)), (vec3<f32>(((_e5684.member * _e5677) + (_e5695.member * _e5678)), ((_e5684.member_1 * _e5677) + (_e5695.member_1 * _e5678)), ((_e5684.member_2 * _e5677) + (_e5695.member_2 * _e5678))) + vec3<f32>((_e5709.member * _e5679), (_e5709.member_1 * _e5679), (_e5709.member_2 * _e5679))));
+phi_11501_ = type_40(vec3<f32>((_e5557.member * _e5647), (_e5557.member_1 * _e5647), (_e5557.member_2 * _e5647)), (vec3<f32>(((_e5684.member * _e5677) + (_e5695.member * _e5678)), ((_e5684.member_1 * _e5677) + (_e5695.member_1 * _e5678)), ((_e5684.member_2 * _e5677) + (_e5695.member_2 * _e5678))) + vec3<f32>((_e5709.member * _e5679), (_e5709.member_1 * _e5679), (_e5709.member_2 * _e5679))));
 }
-let _e5738 = phi_11496_;
-phi_11501_ = _e5499;
-phi_11503_ = _e4814.member_2;
-phi_11507_ = _e4600;
-phi_11509_ = 0i;
+let _e5738 = phi_11501_;
+phi_11506_ = _e5499;
+phi_11508_ = _e4814.member_2;
+phi_11514_ = _e4600;
+phi_11516_ = 0i;
 loop {
-let _e5740 = phi_11501_;
-let _e5742 = phi_11503_;
-let _e5744 = phi_11507_;
-let _e5746 = phi_11509_;
+let _e5740 = phi_11506_;
+let _e5742 = phi_11508_;
+let _e5744 = phi_11514_;
+let _e5746 = phi_11516_;
 local_62 = _e5740;
 local_63 = _e5740;
 local_64 = _e5740;
@@ -2282,7 +2282,7 @@ let _e6173 = select(select(select(select(select(select(0f, _e5821.member, _e5954
 let _e6174 = select(select(select(select(select(select(0f, _e5821.member_1, _e5954), _e5821.member_1, _e5994), _e5892.member_1, _e6034), _e5892.member_1, _e6074), _e5900.member_1, _e6114), _e5900.member_1, _e6154);
 let _e6175 = select(select(select(select(select(select(1f, _e5821.member_2, _e5954), _e5821.member_2, _e5994), _e5892.member_2, _e6034), _e5892.member_2, _e6074), _e5900.member_2, _e6114), _e5900.member_2, _e6154);
 if _e4605 {
-phi_12984_ = type_39(_e6160, vec3<f32>(_e6161, _e6162, _e6163), _e6165, vec3<f32>(_e6166, _e6167, _e6168), _e6170, _e6172, vec3<f32>(_e6173, _e6174, _e6175));
+phi_12991_ = type_39(_e6160, vec3<f32>(_e6161, _e6162, _e6163), _e6165, vec3<f32>(_e6166, _e6167, _e6168), _e6170, _e6172, vec3<f32>(_e6173, _e6174, _e6175));
 } else {
 let _e6181 = global_1.member.member_16.member_1;
 let _e6182 = (_e6181 != 0u);
@@ -2360,26 +2360,26 @@ let _e6461 = select(2f, select(0f, _e6453, (_e6434 < 0f)), (_e6435 > 0f));
 let _e6462 = (_e6434 > _e6400);
 let _e6466 = ((_e6457 > _e6392) || ((_e6457 == _e6392) && _e6462));
 let _e6467 = (_e6461 < _e6396);
-phi_12984_ = type_39(select(_e6392, _e6457, _e6466), vec3<f32>(select(select(select(select(_e6161, _e6212.member, _e6238), _e6288.member, _e6314), _e6364.member, _e6390), _e6440.member, _e6466), select(select(select(select(_e6162, _e6212.member_1, _e6238), _e6288.member_1, _e6314), _e6364.member_1, _e6390), _e6440.member_1, _e6466), select(select(select(select(_e6163, _e6212.member_2, _e6238), _e6288.member_2, _e6314), _e6364.member_2, _e6390), _e6440.member_2, _e6466)), select(_e6396, _e6461, _e6467), vec3<f32>(select(select(select(select(_e6166, _e6212.member, _e6239), _e6288.member, _e6315), _e6364.member, _e6391), _e6440.member, _e6467), select(select(select(select(_e6167, _e6212.member_1, _e6239), _e6288.member_1, _e6315), _e6364.member_1, _e6391), _e6440.member_1, _e6467), select(select(select(select(_e6168, _e6212.member_2, _e6239), _e6288.member_2, _e6315), _e6364.member_2, _e6391), _e6440.member_2, _e6467)), select(_e6400, _e6434, _e6462), select(_e6402, _e6435, (_e6435 > _e6402)), vec3<f32>(select(select(select(select(_e6173, _e6212.member, _e6234), _e6288.member, _e6310), _e6364.member, _e6386), _e6440.member, _e6462), select(select(select(select(_e6174, _e6212.member_1, _e6234), _e6288.member_1, _e6310), _e6364.member_1, _e6386), _e6440.member_1, _e6462), select(select(select(select(_e6175, _e6212.member_2, _e6234), _e6288.member_2, _e6310), _e6364.member_2, _e6386), _e6440.member_2, _e6462)));
+phi_12991_ = type_39(select(_e6392, _e6457, _e6466), vec3<f32>(select(select(select(select(_e6161, _e6212.member, _e6238), _e6288.member, _e6314), _e6364.member, _e6390), _e6440.member, _e6466), select(select(select(select(_e6162, _e6212.member_1, _e6238), _e6288.member_1, _e6314), _e6364.member_1, _e6390), _e6440.member_1, _e6466), select(select(select(select(_e6163, _e6212.member_2, _e6238), _e6288.member_2, _e6314), _e6364.member_2, _e6390), _e6440.member_2, _e6466)), select(_e6396, _e6461, _e6467), vec3<f32>(select(select(select(select(_e6166, _e6212.member, _e6239), _e6288.member, _e6315), _e6364.member, _e6391), _e6440.member, _e6467), select(select(select(select(_e6167, _e6212.member_1, _e6239), _e6288.member_1, _e6315), _e6364.member_1, _e6391), _e6440.member_1, _e6467), select(select(select(select(_e6168, _e6212.member_2, _e6239), _e6288.member_2, _e6315), _e6364.member_2, _e6391), _e6440.member_2, _e6467)), select(_e6400, _e6434, _e6462), select(_e6402, _e6435, (_e6435 > _e6402)), vec3<f32>(select(select(select(select(_e6173, _e6212.member, _e6234), _e6288.member, _e6310), _e6364.member, _e6386), _e6440.member, _e6462), select(select(select(select(_e6174, _e6212.member_1, _e6234), _e6288.member_1, _e6310), _e6364.member_1, _e6386), _e6440.member_1, _e6462), select(select(select(select(_e6175, _e6212.member_2, _e6234), _e6288.member_2, _e6310), _e6364.member_2, _e6386), _e6440.member_2, _e6462)));
 }
-let _e6487 = phi_12984_;
+let _e6487 = phi_12991_;
 if _e5753 {
-phi_12996_ = (_e6487.member_2 <= 1f);
+phi_13003_ = (_e6487.member_2 <= 1f);
 } else {
-phi_12996_ = ((_e6487.member <= 1f) && (_e6487.member < _e6487.member_2));
+phi_13003_ = ((_e6487.member <= 1f) && (_e6487.member < _e6487.member_2));
 }
-let _e6495 = phi_12996_;
+let _e6495 = phi_13003_;
 if (!(_e5753) && !(_e6495)) {
-phi_45285_ = type_34(_e5740.member, _e5740.member_1, _e5740.member_2, 3f, _e5740.member_4, _e5740.member_5, _e5740.member_6, _e5740.member_7, _e5740.member_8, _e5740.member_9, _e5740.member_10, _e5740.member_11, _e5740.member_12);
-phi_45286_ = _e5742;
-phi_45288_ = _e5744;
+phi_45306_ = type_34(_e5740.member, _e5740.member_1, _e5740.member_2, 3f, _e5740.member_4, _e5740.member_5, _e5740.member_6, _e5740.member_7, _e5740.member_8, _e5740.member_9, _e5740.member_10, _e5740.member_11, _e5740.member_12);
+phi_45307_ = _e5742;
+phi_45310_ = _e5744;
 } else {
 if _e5753 {
-phi_13011_ = _e6487.member_3;
+phi_13018_ = _e6487.member_3;
 } else {
-phi_13011_ = _e6487.member_1;
+phi_13018_ = _e6487.member_1;
 }
-let _e6502 = phi_13011_;
+let _e6502 = phi_13018_;
 let _e6503 = select(_e6487.member, _e6487.member_2, _e5753);
 let _e6507 = select(1f, _e6503, _e6495);
 let _e6511 = (_e5740.member.x + ((_e5847 - _e5740.member.x) * _e6507));
@@ -2405,7 +2405,7 @@ let _e6597 = global_1.member.member_15.member.member_1;
 let _e6604 = select(_e6592.member, _e6581.member, _e6575);
 let _e6605 = select(_e6592.member_1, _e6581.member_1, _e6575);
 let _e6606 = select(_e6592.member_2, _e6581.member_2, _e6575);
-let _e6616 = (_e6538 || _e6567);
+let _e6617 = (_e6538 || _e6567);
 let _e6623 = ((((_e576.member.member * _e6511) + (_e576.member.member_1 * _e6512)) + (_e576.member.member_2 * _e6513)) + _e576.member_1);
 let _e6629 = ((((_e591.member.member * _e6511) + (_e591.member.member_1 * _e6512)) + (_e591.member.member_2 * _e6513)) + _e591.member_1);
 let _e6635 = ((((_e606.member.member * _e6511) + (_e606.member.member_1 * _e6512)) + (_e606.member.member_2 * _e6513)) + _e606.member_1);
@@ -2418,7 +2418,7 @@ let _e8393 = select(_e5918, _e6635, (_e6635 > _e5918));
 let _e8395 = select(_e5933, _e8393, (_e8393 < _e5933));
 let _e8400 = global_1.member.member_8.member_15;
 if (_e8400 == 0u) {
-phi_13371_ = vec3<f32>(_e8387, _e8391, _e8395);
+phi_13378_ = vec3<f32>(_e8387, _e8391, _e8395);
 } else {
 let _e8402 = (_e8387 + 0.5f);
 let _e8403 = (_e5803 - 1f);
@@ -2435,9 +2435,9 @@ let _e8439 = (_e5813 - 1f);
 let _e8441 = select(0f, _e8438, (_e8438 > 0f));
 let _e8443 = select(_e8439, _e8441, (_e8441 < _e8439));
 let _e8450 = select(0i, select(select(i32(_e8443), i32(-2147483648), (_e8443 < -2147483600f)), 2147483647i, (_e8443 > 2147483500f)), (_e8443 == _e8443));
-phi_13371_ = vec3<f32>(f32((_e8414 - select(0i, 1i, (_e8407 < f32(_e8414))))), f32((_e8432 - select(0i, 1i, (_e8425 < f32(_e8432))))), f32((_e8450 - select(0i, 1i, (_e8443 < f32(_e8450))))));
+phi_13378_ = vec3<f32>(f32((_e8414 - select(0i, 1i, (_e8407 < f32(_e8414))))), f32((_e8432 - select(0i, 1i, (_e8425 < f32(_e8432))))), f32((_e8450 - select(0i, 1i, (_e8443 < f32(_e8450))))));
 }
-let _e8458 = phi_13371_;
+let _e8458 = phi_13378_;
 let _e8461 = select(-1f, _e8458.x, (_e8458.x > -1f));
 let _e8463 = select(_e5803, _e8461, (_e8461 < _e5803));
 let _e8470 = select(0i, select(select(i32(_e8463), i32(-2147483648), (_e8463 < -2147483600f)), 2147483647i, (_e8463 > 2147483500f)), (_e8463 == _e8463));
@@ -2869,7 +2869,7 @@ if _e625 {
 let _e10277 = ((0.5f * (_e9568 - _e9562)) * _e9826);
 let _e10278 = ((0.5f * (_e9580 - _e9574)) * _e9826);
 let _e10279 = ((0.5f * (_e9592 - _e9586)) * _e9826);
-phi_18972_ = type_36(_e9788, vec3<f32>(_e10277, _e10278, _e10279), vec3<f32>((_e10277 * _e9788), (_e10278 * _e9788), (_e10279 * _e9788)));
+phi_18979_ = type_36(_e9788, vec3<f32>(_e10277, _e10278, _e10279), vec3<f32>((_e10277 * _e9788), (_e10278 * _e9788), (_e10279 * _e9788)));
 } else {
 local_35 = _e9562;
 let _e9827 = local_35;
@@ -3018,9 +3018,9 @@ let _e10252 = ((_e9773 + (f32(bitcast<i32>((_e10237 >> bitcast<u32>(12u)))) * _e
 let _e10253 = (_e9968 - _e9897);
 let _e10255 = (_e10110 - _e10039);
 let _e10257 = (_e10252 - _e10181);
-phi_18972_ = type_36(_e9788, vec3<f32>((0.5f * _e10253), (0.5f * _e10255), (0.5f * _e10257)), vec3<f32>((0.25f * (_e10253 * (_e9968 + _e9897))), (0.25f * (_e10255 * (_e10110 + _e10039))), (0.25f * (_e10257 * (_e10252 + _e10181)))));
+phi_18979_ = type_36(_e9788, vec3<f32>((0.5f * _e10253), (0.5f * _e10255), (0.5f * _e10257)), vec3<f32>((0.25f * (_e10253 * (_e9968 + _e9897))), (0.25f * (_e10255 * (_e10110 + _e10039))), (0.25f * (_e10257 * (_e10252 + _e10181)))));
 }
-let _e10287 = phi_18972_;
+let _e10287 = phi_18979_;
 let _e10302 = select(0f, 1f, ((((((_e6623 >= _e5908) && (_e6623 <= _e5923)) && (_e6629 >= _e5913)) && (_e6629 <= _e5928)) && (_e6635 >= _e5918)) && (_e6635 <= _e5933)));
 let _e10304 = (0.5f * (_e9568 - _e9562));
 let _e10306 = (0.5f * (_e9580 - _e9574));
@@ -3037,7 +3037,7 @@ let _e10362 = global_1.member.member_8.member_2.member.member_2;
 let _e10367 = (((_e10314 * _e10304) + (_e10332 * _e10306)) + (_e10350 * _e10308));
 let _e10372 = (((_e10320 * _e10304) + (_e10338 * _e10306)) + (_e10356 * _e10308));
 let _e10377 = (((_e10326 * _e10304) + (_e10344 * _e10306)) + (_e10362 * _e10308));
-phi_21650_ = type_37(_e9556, vec3<f32>((_e10367 * _e10302), (_e10372 * _e10302), (_e10377 * _e10302)), vec3<f32>(_e10367, _e10372, _e10377), _e10287.member, vec3<f32>(((((_e10314 * _e10287.member_2.x) + (_e10332 * _e10287.member_2.y)) + (_e10350 * _e10287.member_2.z)) * _e10302), ((((_e10320 * _e10287.member_2.x) + (_e10338 * _e10287.member_2.y)) + (_e10356 * _e10287.member_2.z)) * _e10302), ((((_e10326 * _e10287.member_2.x) + (_e10344 * _e10287.member_2.y)) + (_e10362 * _e10287.member_2.z)) * _e10302)), vec3<f32>(((((_e10314 * _e10287.member_1.x) + (_e10332 * _e10287.member_1.y)) + (_e10350 * _e10287.member_1.z)) * _e10302), ((((_e10320 * _e10287.member_1.x) + (_e10338 * _e10287.member_1.y)) + (_e10356 * _e10287.member_1.z)) * _e10302), ((((_e10326 * _e10287.member_1.x) + (_e10344 * _e10287.member_1.y)) + (_e10362 * _e10287.member_1.z)) * _e10302)));
+phi_21657_ = type_37(_e9556, vec3<f32>((_e10367 * _e10302), (_e10372 * _e10302), (_e10377 * _e10302)), vec3<f32>(_e10367, _e10372, _e10377), _e10287.member, vec3<f32>(((((_e10314 * _e10287.member_2.x) + (_e10332 * _e10287.member_2.y)) + (_e10350 * _e10287.member_2.z)) * _e10302), ((((_e10320 * _e10287.member_2.x) + (_e10338 * _e10287.member_2.y)) + (_e10356 * _e10287.member_2.z)) * _e10302), ((((_e10326 * _e10287.member_2.x) + (_e10344 * _e10287.member_2.y)) + (_e10362 * _e10287.member_2.z)) * _e10302)), vec3<f32>(((((_e10314 * _e10287.member_1.x) + (_e10332 * _e10287.member_1.y)) + (_e10350 * _e10287.member_1.z)) * _e10302), ((((_e10320 * _e10287.member_1.x) + (_e10338 * _e10287.member_1.y)) + (_e10356 * _e10287.member_1.z)) * _e10302), ((((_e10326 * _e10287.member_1.x) + (_e10344 * _e10287.member_1.y)) + (_e10362 * _e10287.member_1.z)) * _e10302)));
 } else {
 if (_e277.member_2 == 8u) {
 let _e7095 = select(_e5908, _e6623, (_e6623 > _e5908));
@@ -3048,7 +3048,7 @@ let _e7103 = select(_e5918, _e6635, (_e6635 > _e5918));
 let _e7105 = select(_e5933, _e7103, (_e7103 < _e5933));
 let _e7110 = global_1.member.member_8.member_15;
 if (_e7110 == 0u) {
-phi_19319_ = vec3<f32>(_e7097, _e7101, _e7105);
+phi_19326_ = vec3<f32>(_e7097, _e7101, _e7105);
 } else {
 let _e7112 = (_e7097 + 0.5f);
 let _e7113 = (_e5803 - 1f);
@@ -3065,9 +3065,9 @@ let _e7149 = (_e5813 - 1f);
 let _e7151 = select(0f, _e7148, (_e7148 > 0f));
 let _e7153 = select(_e7149, _e7151, (_e7151 < _e7149));
 let _e7160 = select(0i, select(select(i32(_e7153), i32(-2147483648), (_e7153 < -2147483600f)), 2147483647i, (_e7153 > 2147483500f)), (_e7153 == _e7153));
-phi_19319_ = vec3<f32>(f32((_e7124 - select(0i, 1i, (_e7117 < f32(_e7124))))), f32((_e7142 - select(0i, 1i, (_e7135 < f32(_e7142))))), f32((_e7160 - select(0i, 1i, (_e7153 < f32(_e7160))))));
+phi_19326_ = vec3<f32>(f32((_e7124 - select(0i, 1i, (_e7117 < f32(_e7124))))), f32((_e7142 - select(0i, 1i, (_e7135 < f32(_e7142))))), f32((_e7160 - select(0i, 1i, (_e7153 < f32(_e7160))))));
 }
-let _e7168 = phi_19319_;
+let _e7168 = phi_19326_;
 let _e7171 = select(-1f, _e7168.x, (_e7168.x > -1f));
 let _e7173 = select(_e5803, _e7171, (_e7171 < _e5803));
 let _e7180 = select(0i, select(select(i32(_e7173), i32(-2147483648), (_e7173 < -2147483600f)), 2147483647i, (_e7173 > 2147483500f)), (_e7173 == _e7173));
@@ -3417,8 +3417,8 @@ let _e8344 = global_1.member.member_8.member_1.member.member_2;
 let _e8350 = global_1.member.member_8.member_2.member.member;
 let _e8356 = global_1.member.member_8.member_2.member.member_1;
 let _e8362 = global_1.member.member_8.member_2.member.member_2;
-phi_21647_ = select(1e9f, _e8264, (_e8264 < 1e9f));
-phi_21648_ = vec3<f32>((((_e8314 * _e8304) + (_e8332 * _e8306)) + (_e8350 * _e8308)), (((_e8320 * _e8304) + (_e8338 * _e8306)) + (_e8356 * _e8308)), (((_e8326 * _e8304) + (_e8344 * _e8306)) + (_e8362 * _e8308)));
+phi_21654_ = select(1e9f, _e8264, (_e8264 < 1e9f));
+phi_21655_ = vec3<f32>((((_e8314 * _e8304) + (_e8332 * _e8306)) + (_e8350 * _e8308)), (((_e8320 * _e8304) + (_e8338 * _e8306)) + (_e8356 * _e8308)), (((_e8326 * _e8304) + (_e8344 * _e8306)) + (_e8362 * _e8308)));
 } else {
 let _e6638 = select(_e5908, _e6623, (_e6623 > _e5908));
 let _e6640 = select(_e5923, _e6638, (_e6638 < _e5923));
@@ -3428,7 +3428,7 @@ let _e6646 = select(_e5918, _e6635, (_e6635 > _e5918));
 let _e6648 = select(_e5933, _e6646, (_e6646 < _e5933));
 let _e6653 = global_1.member.member_8.member_15;
 if (_e6653 == 0u) {
-phi_21102_ = vec3<f32>(_e6640, _e6644, _e6648);
+phi_21109_ = vec3<f32>(_e6640, _e6644, _e6648);
 } else {
 let _e6655 = (_e6640 + 0.5f);
 let _e6656 = (_e5803 - 1f);
@@ -3445,9 +3445,9 @@ let _e6692 = (_e5813 - 1f);
 let _e6694 = select(0f, _e6691, (_e6691 > 0f));
 let _e6696 = select(_e6692, _e6694, (_e6694 < _e6692));
 let _e6703 = select(0i, select(select(i32(_e6696), i32(-2147483648), (_e6696 < -2147483600f)), 2147483647i, (_e6696 > 2147483500f)), (_e6696 == _e6696));
-phi_21102_ = vec3<f32>(f32((_e6667 - select(0i, 1i, (_e6660 < f32(_e6667))))), f32((_e6685 - select(0i, 1i, (_e6678 < f32(_e6685))))), f32((_e6703 - select(0i, 1i, (_e6696 < f32(_e6703))))));
+phi_21109_ = vec3<f32>(f32((_e6667 - select(0i, 1i, (_e6660 < f32(_e6667))))), f32((_e6685 - select(0i, 1i, (_e6678 < f32(_e6685))))), f32((_e6703 - select(0i, 1i, (_e6696 < f32(_e6703))))));
 }
-let _e6711 = phi_21102_;
+let _e6711 = phi_21109_;
 let _e6714 = select(-1f, _e6711.x, (_e6711.x > -1f));
 let _e6716 = select(_e5803, _e6714, (_e6714 < _e5803));
 let _e6723 = select(0i, select(select(i32(_e6716), i32(-2147483648), (_e6716 < -2147483600f)), 2147483647i, (_e6716 > 2147483500f)), (_e6716 == _e6716));
@@ -3553,16 +3553,16 @@ let _e7086 = global_1.member.member_8.member_7;
 let _e7088 = (((_e6967 + (((_e7018 + (((_e7058 + ((f32(bitcast<i32>(((_e7051 >> bitcast<u32>((_e7059 & 31u))) & 65535u))) - _e7058) * _e7066)) - _e7018) * _e7070)) - _e6967) * _e7075)) - _e7082) * _e7086);
 let _e7089 = -(1e9f);
 let _e7091 = select(_e7089, _e7088, (_e7088 > _e7089));
-phi_21647_ = select(1e9f, _e7091, (_e7091 < 1e9f));
-phi_21648_ = vec3<f32>(0f, 0f, 0f);
+phi_21654_ = select(1e9f, _e7091, (_e7091 < 1e9f));
+phi_21655_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e8380 = phi_21647_;
-let _e8382 = phi_21648_;
-phi_21650_ = type_37(_e8380, vec3<f32>(0f, 0f, 0f), _e8382, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e8380 = phi_21654_;
+let _e8382 = phi_21655_;
+phi_21657_ = type_37(_e8380, vec3<f32>(0f, 0f, 0f), _e8382, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e10429 = phi_21650_;
+let _e10429 = phi_21657_;
 if _e4605 {
-phi_22175_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_22182_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e10433 = global_1.member.member_16.member;
 let _e10444 = ((((_e10433.member.member * _e5740.member.x) + (_e10433.member.member_1 * _e5740.member.y)) + (_e10433.member.member_2 * _e5740.member.z)) + _e10433.member_1);
@@ -3636,9 +3636,9 @@ let _e10651 = global_1.member.member_19.member_1;
 let _e10652 = (_e10651 != 0u);
 let _e10657 = select(0f, _e10645, _e10652);
 let _e10658 = select(1f, _e10647, _e10652);
-phi_22175_ = type_38(type_35(select(_e10645, _e10595, (_e10595 > _e10645)), select(_e10647, _e10597, (_e10597 < _e10647))), type_35(select(_e10657, _e10601, (_e10601 > _e10657)), select(_e10658, _e10603, (_e10603 < _e10658))), ((((1f * select(1f, 0f, (_e10475 && _e10466))) * select(1f, 0f, (_e10534 && _e10525))) * select(1f, 0f, (_e10593 && _e10584))) * select(1f, 0f, (_e10652 && _e10643))));
+phi_22182_ = type_38(type_35(select(_e10645, _e10595, (_e10595 > _e10645)), select(_e10647, _e10597, (_e10597 < _e10647))), type_35(select(_e10657, _e10601, (_e10601 > _e10657)), select(_e10658, _e10603, (_e10603 < _e10658))), ((((1f * select(1f, 0f, (_e10475 && _e10466))) * select(1f, 0f, (_e10534 && _e10525))) * select(1f, 0f, (_e10593 && _e10584))) * select(1f, 0f, (_e10652 && _e10643))));
 }
-let _e10670 = phi_22175_;
+let _e10670 = phi_22182_;
 let _e10673 = (select(0f, (_e6503 - 0.5f), _e6495) * _e5835);
 let _e10677 = (_e5840 + (_e5759 * _e10673));
 let _e10678 = (_e5841 + (_e5761 * _e10673));
@@ -3652,7 +3652,7 @@ let _e10691 = select(_e5933, _e10689, (_e10689 < _e5933));
 let _e10696 = global_1.member.member_8.member_15;
 let _e10697 = (_e10696 == 0u);
 if _e10697 {
-phi_22371_ = vec3<f32>(_e10683, _e10687, _e10691);
+phi_22378_ = vec3<f32>(_e10683, _e10687, _e10691);
 } else {
 let _e10698 = (_e10683 + 0.5f);
 let _e10699 = (_e5803 - 1f);
@@ -3669,9 +3669,9 @@ let _e10735 = (_e5813 - 1f);
 let _e10737 = select(0f, _e10734, (_e10734 > 0f));
 let _e10739 = select(_e10735, _e10737, (_e10737 < _e10735));
 let _e10746 = select(0i, select(select(i32(_e10739), i32(-2147483648), (_e10739 < -2147483600f)), 2147483647i, (_e10739 > 2147483500f)), (_e10739 == _e10739));
-phi_22371_ = vec3<f32>(f32((_e10710 - select(0i, 1i, (_e10703 < f32(_e10710))))), f32((_e10728 - select(0i, 1i, (_e10721 < f32(_e10728))))), f32((_e10746 - select(0i, 1i, (_e10739 < f32(_e10746))))));
+phi_22378_ = vec3<f32>(f32((_e10710 - select(0i, 1i, (_e10703 < f32(_e10710))))), f32((_e10728 - select(0i, 1i, (_e10721 < f32(_e10728))))), f32((_e10746 - select(0i, 1i, (_e10739 < f32(_e10746))))));
 }
-let _e10754 = phi_22371_;
+let _e10754 = phi_22378_;
 let _e10757 = select(-1f, _e10754.x, (_e10754.x > -1f));
 let _e10759 = select(_e5803, _e10757, (_e10757 < _e5803));
 let _e10766 = select(0i, select(select(i32(_e10759), i32(-2147483648), (_e10759 < -2147483600f)), 2147483647i, (_e10759 > 2147483500f)), (_e10759 == _e10759));
@@ -3854,7 +3854,7 @@ let _e11372 = (_e11337 == 0f);
 let _e11389 = (_e5836 * _e10670.member_2);
 let _e11406 = (_e10696 != 0u);
 let _e11407 = select(select(_e10429.member, _e5740.member_2, _e5753), _e10429.member, _e11406);
-let _e11408 = select(1f, select(_e6542, _e6571, _e6575), _e6616);
+let _e11408 = select(1f, select(_e6542, _e6571, _e6575), _e6617);
 let _e11409 = (_e6623 - _e5857);
 let _e11413 = (bitcast<f32>((bitcast<u32>(_e11409) & 2147483647u)) < 1e-12f);
 let _e11415 = (1f / select(_e11409, 1f, _e11413));
@@ -4285,19 +4285,19 @@ let _e13041 = (((1f - _e13029) + (_e12975 * select(0f, _e13031, (_e13031 > 0f)))
 let _e13051 = (_e12976 > 0f);
 let _e13053 = (1f - _e13038);
 let _e13062 = (_e13037 / select(1e-12f, _e13053, (_e13053 > 1e-12f)));
-phi_27254_ = type_43(select(_e12753, _e13038, _e13051), select(_e12754, _e13053, _e13051), _e12703, vec3<f32>(select(_e12762, ((_e12762 * _e13041) + (_e12936 * _e13037)), _e13051), select(_e12764, ((_e12764 * _e13041) + (_e12946 * _e13037)), _e13051), select(_e12766, ((_e12766 * _e13041) + (_e12956 * _e13037)), _e13051)));
-phi_27255_ = type_41(_e12975, _e12976, vec3<f32>(_e12936, _e12946, _e12956), _e12978);
-phi_27256_ = select(0f, select(1f, _e13062, (_e13062 < 1f)), _e13051);
+phi_27261_ = type_43(select(_e12753, _e13038, _e13051), select(_e12754, _e13053, _e13051), _e12703, vec3<f32>(select(_e12762, ((_e12762 * _e13041) + (_e12936 * _e13037)), _e13051), select(_e12764, ((_e12764 * _e13041) + (_e12946 * _e13037)), _e13051), select(_e12766, ((_e12766 * _e13041) + (_e12956 * _e13037)), _e13051)));
+phi_27262_ = type_41(_e12975, _e12976, vec3<f32>(_e12936, _e12946, _e12956), _e12978);
+phi_27263_ = select(0f, select(1f, _e13062, (_e13062 < 1f)), _e13051);
 } else {
-phi_27254_ = type_43(_e12753, _e12754, _e12703, (_e12760 * _e12758));
-phi_27255_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_27256_ = 0f;
+phi_27261_ = type_43(_e12753, _e12754, _e12703, (_e12760 * _e12758));
+phi_27262_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_27263_ = 0f;
 }
-let _e13067 = phi_27254_;
-let _e13069 = phi_27255_;
-let _e13071 = phi_27256_;
+let _e13067 = phi_27261_;
+let _e13069 = phi_27262_;
+let _e13071 = phi_27263_;
 if (_e621 || _e624) {
-phi_43672_ = _e5738;
+phi_43685_ = _e5738;
 } else {
 let _e13074 = select(_e11496, _e10670.member.member, (_e10670.member.member > _e11496));
 let _e13082 = (_e5740.member + vec3<f32>((_e11501 * _e11408), (_e11502 * _e11408), (_e11503 * _e11408)));
@@ -4346,23 +4346,23 @@ let _e13257 = local_61.member;
 let _e13260 = (((2f * _e13257) * _e13256) * _e11520);
 let _e13264 = (_e13069.member_1 > 0f);
 let _e13265 = select(select(select(1f, _e13260, (_e13260 < 1f)), 0f, _e11406), 1f, _e13264);
-let _e13266 = (_e13256 * _e13265);
-let _e13267 = global_1.member.member_12.member_19;
-let _e13271 = (((((_e13191.member.member * _e13183) + (_e13191.member.member_1 * _e13184)) + (_e13191.member.member_2 * _e13185)) + _e13191.member_1) - _e13267.member);
-let _e13272 = (((((_e13206.member.member * _e13183) + (_e13206.member.member_1 * _e13184)) + (_e13206.member.member_2 * _e13185)) + _e13206.member_1) - _e13267.member_1);
-let _e13273 = (_e13232 - _e13267.member_2);
-let _e13278 = (((_e13271 * _e13271) + (_e13272 * _e13272)) + (_e13273 * _e13273));
-let _e13281 = sqrt(select(0f, _e13278, (_e13278 > 0f)));
-let _e13284 = (1f / select(1e-20f, _e13281, (_e13281 > 1e-20f)));
-let _e13288 = select(0f, (_e13271 * _e13284), _e13242);
-let _e13289 = select(0f, (_e13272 * _e13284), _e13242);
-let _e13290 = select(1f, (_e13273 * _e13284), _e13242);
-let _e13295 = global_1.member.member_12.member.member;
-let _e13306 = global_1.member.member_12.member_1.member;
-let _e13320 = global_1.member.member_12.member_2.member;
-let _e13333 = (_e13183 - ((((_e13295.member * _e13288) + (_e13306.member * _e13289)) + (_e13320.member * _e13290)) * _e13266));
-let _e13334 = (_e13184 - ((((_e13295.member_1 * _e13288) + (_e13306.member_1 * _e13289)) + (_e13320.member_1 * _e13290)) * _e13266));
-let _e13335 = (_e13185 - ((((_e13295.member_2 * _e13288) + (_e13306.member_2 * _e13289)) + (_e13320.member_2 * _e13290)) * _e13266));
+let _e13266 = global_1.member.member_12.member_19;
+let _e13270 = (((((_e13191.member.member * _e13183) + (_e13191.member.member_1 * _e13184)) + (_e13191.member.member_2 * _e13185)) + _e13191.member_1) - _e13266.member);
+let _e13271 = (((((_e13206.member.member * _e13183) + (_e13206.member.member_1 * _e13184)) + (_e13206.member.member_2 * _e13185)) + _e13206.member_1) - _e13266.member_1);
+let _e13272 = (_e13232 - _e13266.member_2);
+let _e13277 = (((_e13270 * _e13270) + (_e13271 * _e13271)) + (_e13272 * _e13272));
+let _e13280 = sqrt(select(0f, _e13277, (_e13277 > 0f)));
+let _e13283 = (1f / select(1e-20f, _e13280, (_e13280 > 1e-20f)));
+let _e13287 = select(0f, (_e13270 * _e13283), _e13242);
+let _e13288 = select(0f, (_e13271 * _e13283), _e13242);
+let _e13289 = select(1f, (_e13272 * _e13283), _e13242);
+let _e13294 = global_1.member.member_12.member.member;
+let _e13305 = global_1.member.member_12.member_1.member;
+let _e13319 = global_1.member.member_12.member_2.member;
+let _e13329 = (_e13256 * _e13265);
+let _e13333 = (_e13183 - ((((_e13294.member * _e13287) + (_e13305.member * _e13288)) + (_e13319.member * _e13289)) * _e13329));
+let _e13334 = (_e13184 - ((((_e13294.member_1 * _e13287) + (_e13305.member_1 * _e13288)) + (_e13319.member_1 * _e13289)) * _e13329));
+let _e13335 = (_e13185 - ((((_e13294.member_2 * _e13287) + (_e13305.member_2 * _e13288)) + (_e13319.member_2 * _e13289)) * _e13329));
 let _e13341 = ((((_e576.member.member * _e13333) + (_e576.member.member_1 * _e13334)) + (_e576.member.member_2 * _e13335)) + _e576.member_1);
 let _e13347 = ((((_e591.member.member * _e13333) + (_e591.member.member_1 * _e13334)) + (_e591.member.member_2 * _e13335)) + _e591.member_1);
 let _e13353 = ((((_e606.member.member * _e13333) + (_e606.member.member_1 * _e13334)) + (_e606.member.member_2 * _e13335)) + _e606.member_1);
@@ -4373,7 +4373,7 @@ let _e13361 = select(_e5928, _e13359, (_e13359 < _e5928));
 let _e13363 = select(_e5918, _e13353, (_e13353 > _e5918));
 let _e13365 = select(_e5933, _e13363, (_e13363 < _e5933));
 if _e10697 {
-phi_27844_ = vec3<f32>(_e13357, _e13361, _e13365);
+phi_27857_ = vec3<f32>(_e13357, _e13361, _e13365);
 } else {
 let _e13367 = (_e13357 + 0.5f);
 let _e13368 = (_e5803 - 1f);
@@ -4390,9 +4390,9 @@ let _e13404 = (_e5813 - 1f);
 let _e13406 = select(0f, _e13403, (_e13403 > 0f));
 let _e13408 = select(_e13404, _e13406, (_e13406 < _e13404));
 let _e13415 = select(0i, select(select(i32(_e13408), i32(-2147483648), (_e13408 < -2147483600f)), 2147483647i, (_e13408 > 2147483500f)), (_e13408 == _e13408));
-phi_27844_ = vec3<f32>(f32((_e13379 - select(0i, 1i, (_e13372 < f32(_e13379))))), f32((_e13397 - select(0i, 1i, (_e13390 < f32(_e13397))))), f32((_e13415 - select(0i, 1i, (_e13408 < f32(_e13415))))));
+phi_27857_ = vec3<f32>(f32((_e13379 - select(0i, 1i, (_e13372 < f32(_e13379))))), f32((_e13397 - select(0i, 1i, (_e13390 < f32(_e13397))))), f32((_e13415 - select(0i, 1i, (_e13408 < f32(_e13415))))));
 }
-let _e13423 = phi_27844_;
+let _e13423 = phi_27857_;
 let _e13426 = select(-1f, _e13423.x, (_e13423.x > -1f));
 let _e13428 = select(_e5803, _e13426, (_e13426 < _e5803));
 let _e13435 = select(0i, select(select(i32(_e13428), i32(-2147483648), (_e13428 < -2147483600f)), 2147483647i, (_e13428 > 2147483500f)), (_e13428 == _e13428));
@@ -4487,9 +4487,9 @@ let _e13750 = local_13[2u];
 let _e13755 = (((_e13642 + (((_e13693 + (((_e13733 + ((f32(bitcast<i32>(((_e13726 >> bitcast<u32>((_e13734 & 31u))) & 65535u))) - _e13733) * _e13741)) - _e13693) * _e13745)) - _e13642) * _e13750)) - _e11125) * _e11129);
 let _e13757 = select(_e11132, _e13755, (_e13755 > _e11132));
 let _e13759 = select(1e9f, _e13757, (_e13757 < 1e9f));
-let _e13760 = (_e13266 * _e11520);
+let _e13760 = (_e13329 * _e11520);
 if _e4605 {
-phi_28905_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_28918_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13764 = global_1.member.member_16.member;
 let _e13775 = ((((_e13764.member.member * _e13333) + (_e13764.member.member_1 * _e13334)) + (_e13764.member.member_2 * _e13335)) + _e13764.member_1);
@@ -4563,9 +4563,9 @@ let _e13982 = global_1.member.member_19.member_1;
 let _e13983 = (_e13982 != 0u);
 let _e13988 = select(0f, _e13976, _e13983);
 let _e13989 = select(1f, _e13978, _e13983);
-phi_28905_ = type_38(type_35(select(_e13976, _e13926, (_e13926 > _e13976)), select(_e13978, _e13928, (_e13928 < _e13978))), type_35(select(_e13988, _e13932, (_e13932 > _e13988)), select(_e13989, _e13934, (_e13934 < _e13989))), ((((1f * select(1f, 0f, (_e13806 && _e13797))) * select(1f, 0f, (_e13865 && _e13856))) * select(1f, 0f, (_e13924 && _e13915))) * select(1f, 0f, (_e13983 && _e13974))));
+phi_28918_ = type_38(type_35(select(_e13976, _e13926, (_e13926 > _e13976)), select(_e13978, _e13928, (_e13928 < _e13978))), type_35(select(_e13988, _e13932, (_e13932 > _e13988)), select(_e13989, _e13934, (_e13934 < _e13989))), ((((1f * select(1f, 0f, (_e13806 && _e13797))) * select(1f, 0f, (_e13865 && _e13856))) * select(1f, 0f, (_e13924 && _e13915))) * select(1f, 0f, (_e13983 && _e13974))));
 }
-let _e14001 = phi_28905_;
+let _e14001 = phi_28918_;
 let _e14007 = ((((_e576.member.member * _e13183) + (_e576.member.member_1 * _e13184)) + (_e576.member.member_2 * _e13185)) + _e576.member_1);
 let _e14013 = ((((_e591.member.member * _e13183) + (_e591.member.member_1 * _e13184)) + (_e591.member.member_2 * _e13185)) + _e591.member_1);
 let _e14019 = ((((_e606.member.member * _e13183) + (_e606.member.member_1 * _e13184)) + (_e606.member.member_2 * _e13185)) + _e606.member_1);
@@ -4698,7 +4698,7 @@ let _e14846 = global_3.member[bitcast<u32>(select(0i, _e14841, (_e14841 > 0i)))]
 let _e14856 = (_e14808 + (((bitcast<f32>((((_e14816 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14808) * _e14791));
 let _e14864 = global_3.member[_e12180];
 let _e14873 = global_3.member[_e12200];
-phi_32580_ = type_42((((_e14856 + (((_e14838 + (((bitcast<f32>((((_e14846 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14838) * _e14791)) - _e14856) * (_e14666 - f32(_e14744)))) * (1f - (_e14778 + _e14784))) + (((bitcast<f32>((((_e14864 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14778) + ((bitcast<f32>((((_e14873 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14784))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_32593_ = type_42((((_e14856 + (((_e14838 + (((bitcast<f32>((((_e14846 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14838) * _e14791)) - _e14856) * (_e14666 - f32(_e14744)))) * (1f - (_e14778 + _e14784))) + (((bitcast<f32>((((_e14864 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14778) + ((bitcast<f32>((((_e14873 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14784))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e13759;
 let _e14141 = local_9;
@@ -4811,9 +4811,9 @@ let _e14548 = (_e14478 + (((bitcast<f32>(((_e14493 & 32767u) << bitcast<u32>(13i
 let _e14557 = (_e14485 + (((bitcast<f32>((((_e14493 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14485) * _e14328));
 let _e14565 = global_3.member[_e12180];
 let _e14579 = global_3.member[_e12200];
-phi_32580_ = type_42((((_e14557 + (((_e14525 + (((bitcast<f32>((((_e14533 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14525) * _e14328)) - _e14557) * _e14326)) * _e14330) + (((bitcast<f32>((((_e14565 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>((((_e14579 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321))), vec3<f32>((((_e14548 + (((_e14518 + (((bitcast<f32>(((_e14533 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14518) * _e14328)) - _e14548) * _e14326)) * _e14330) + (((bitcast<f32>(((_e14565 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>(((_e14579 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321))), (((_e14412 + (((_e14382 + (((bitcast<f32>(((_e14397 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14382) * _e14328)) - _e14412) * _e14326)) * _e14330) + (((bitcast<f32>(((_e14429 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>(((_e14443 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321))), (((_e14421 + (((_e14389 + (((bitcast<f32>((((_e14397 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14389) * _e14328)) - _e14421) * _e14326)) * _e14330) + (((bitcast<f32>((((_e14429 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>((((_e14443 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_32593_ = type_42((((_e14557 + (((_e14525 + (((bitcast<f32>((((_e14533 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14525) * _e14328)) - _e14557) * _e14326)) * _e14330) + (((bitcast<f32>((((_e14565 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>((((_e14579 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321))), vec3<f32>((((_e14548 + (((_e14518 + (((bitcast<f32>(((_e14533 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14518) * _e14328)) - _e14548) * _e14326)) * _e14330) + (((bitcast<f32>(((_e14565 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>(((_e14579 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321))), (((_e14412 + (((_e14382 + (((bitcast<f32>(((_e14397 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14382) * _e14328)) - _e14412) * _e14326)) * _e14330) + (((bitcast<f32>(((_e14429 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>(((_e14443 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321))), (((_e14421 + (((_e14389 + (((bitcast<f32>((((_e14397 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14389) * _e14328)) - _e14421) * _e14326)) * _e14330) + (((bitcast<f32>((((_e14429 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14315) + ((bitcast<f32>((((_e14443 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14321)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14888 = phi_32580_;
+let _e14888 = phi_32593_;
 if _e14140 {
 let _e15101 = -((_e14888.member * (_e13760 * _e14125)));
 let _e15103 = select(-87f, _e15101, (_e15101 > -87f));
@@ -4827,7 +4827,7 @@ let _e15123 = f32(_e15122);
 let _e15127 = ((_e15105 - (_e15123 * 0.6933594f)) - (_e15123 * -2.1219444e-4f));
 let _e15147 = ((1f + (_e15127 * (1f + (_e15127 * (0.5f + (_e15127 * (0.16666667f + (_e15127 * (0.041666668f + (_e15127 * (0.008333334f + (_e15127 * (0.001388889f + (_e15127 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15122 + 127i)) << bitcast<u32>(23i))));
 let _e15148 = (1f - _e15147);
-phi_32931_ = type_43(_e15147, _e15148, vec3<f32>(1f, 1f, 1f), (_e14888.member_2 * (_e15148 / select(1e-12f, _e14888.member, (_e14888.member > 1e-12f)))));
+phi_32944_ = type_43(_e15147, _e15148, vec3<f32>(1f, 1f, 1f), (_e14888.member_2 * (_e15148 / select(1e-12f, _e14888.member, (_e14888.member > 1e-12f)))));
 } else {
 let _e14890 = (_e13760 * select(0f, _e14134, (_e14134 > 0f)));
 let _e14894 = -((_e14888.member_1.x * _e14890));
@@ -4872,9 +4872,9 @@ let _e15066 = f32(_e15065);
 let _e15070 = ((_e15048 - (_e15066 * 0.6933594f)) - (_e15066 * -2.1219444e-4f));
 let _e15090 = ((1f + (_e15070 * (1f + (_e15070 * (0.5f + (_e15070 * (0.16666667f + (_e15070 * (0.041666668f + (_e15070 * (0.008333334f + (_e15070 * (0.001388889f + (_e15070 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15065 + 127i)) << bitcast<u32>(23i))));
 let _e15091 = (1f - _e15090);
-phi_32931_ = type_43(_e15090, _e15091, vec3<f32>(((1f + (_e14920 * (1f + (_e14920 * (0.5f + (_e14920 * (0.16666667f + (_e14920 * (0.041666668f + (_e14920 * (0.008333334f + (_e14920 * (0.001388889f + (_e14920 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14915 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14970 * (1f + (_e14970 * (0.5f + (_e14970 * (0.16666667f + (_e14970 * (0.041666668f + (_e14970 * (0.008333334f + (_e14970 * (0.001388889f + (_e14970 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14965 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e15020 * (1f + (_e15020 * (0.5f + (_e15020 * (0.16666667f + (_e15020 * (0.041666668f + (_e15020 * (0.008333334f + (_e15020 * (0.001388889f + (_e15020 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15015 + 127i)) << bitcast<u32>(23i))))), (_e14888.member_2 * (_e15091 / select(1e-12f, _e14888.member, (_e14888.member > 1e-12f)))));
+phi_32944_ = type_43(_e15090, _e15091, vec3<f32>(((1f + (_e14920 * (1f + (_e14920 * (0.5f + (_e14920 * (0.16666667f + (_e14920 * (0.041666668f + (_e14920 * (0.008333334f + (_e14920 * (0.001388889f + (_e14920 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14915 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14970 * (1f + (_e14970 * (0.5f + (_e14970 * (0.16666667f + (_e14970 * (0.041666668f + (_e14970 * (0.008333334f + (_e14970 * (0.001388889f + (_e14970 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14965 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e15020 * (1f + (_e15020 * (0.5f + (_e15020 * (0.16666667f + (_e15020 * (0.041666668f + (_e15020 * (0.008333334f + (_e15020 * (0.001388889f + (_e15020 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15015 + 127i)) << bitcast<u32>(23i))))), (_e14888.member_2 * (_e15091 / select(1e-12f, _e14888.member, (_e14888.member > 1e-12f)))));
 }
-let _e15156 = phi_32931_;
+let _e15156 = phi_32944_;
 let _e15165 = (_e13333 - (_e13183 - _e13333));
 let _e15166 = (_e13334 - (_e13184 - _e13334));
 let _e15167 = (_e13335 - (_e13185 - _e13335));
@@ -4888,7 +4888,7 @@ let _e15193 = select(_e5928, _e15191, (_e15191 < _e5928));
 let _e15195 = select(_e5918, _e15185, (_e15185 > _e5918));
 let _e15197 = select(_e5933, _e15195, (_e15195 < _e5933));
 if _e10697 {
-phi_33136_ = vec3<f32>(_e15189, _e15193, _e15197);
+phi_33149_ = vec3<f32>(_e15189, _e15193, _e15197);
 } else {
 let _e15199 = (_e15189 + 0.5f);
 let _e15200 = (_e5803 - 1f);
@@ -4905,9 +4905,9 @@ let _e15236 = (_e5813 - 1f);
 let _e15238 = select(0f, _e15235, (_e15235 > 0f));
 let _e15240 = select(_e15236, _e15238, (_e15238 < _e15236));
 let _e15247 = select(0i, select(select(i32(_e15240), i32(-2147483648), (_e15240 < -2147483600f)), 2147483647i, (_e15240 > 2147483500f)), (_e15240 == _e15240));
-phi_33136_ = vec3<f32>(f32((_e15211 - select(0i, 1i, (_e15204 < f32(_e15211))))), f32((_e15229 - select(0i, 1i, (_e15222 < f32(_e15229))))), f32((_e15247 - select(0i, 1i, (_e15240 < f32(_e15247))))));
+phi_33149_ = vec3<f32>(f32((_e15211 - select(0i, 1i, (_e15204 < f32(_e15211))))), f32((_e15229 - select(0i, 1i, (_e15222 < f32(_e15229))))), f32((_e15247 - select(0i, 1i, (_e15240 < f32(_e15247))))));
 }
-let _e15255 = phi_33136_;
+let _e15255 = phi_33149_;
 let _e15258 = select(-1f, _e15255.x, (_e15255.x > -1f));
 let _e15260 = select(_e5803, _e15258, (_e15258 < _e5803));
 let _e15267 = select(0i, select(select(i32(_e15260), i32(-2147483648), (_e15260 < -2147483600f)), 2147483647i, (_e15260 > 2147483500f)), (_e15260 == _e15260));
@@ -5003,7 +5003,7 @@ let _e15587 = (((_e15474 + (((_e15525 + (((_e15565 + ((f32(bitcast<i32>(((_e1555
 let _e15589 = select(_e11132, _e15587, (_e15587 > _e11132));
 let _e15591 = select(1e9f, _e15589, (_e15589 < 1e9f));
 if _e4605 {
-phi_34197_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_34210_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e15595 = global_1.member.member_16.member;
 let _e15606 = ((((_e15595.member.member * _e15165) + (_e15595.member.member_1 * _e15166)) + (_e15595.member.member_2 * _e15167)) + _e15595.member_1);
@@ -5077,9 +5077,9 @@ let _e15813 = global_1.member.member_19.member_1;
 let _e15814 = (_e15813 != 0u);
 let _e15819 = select(0f, _e15807, _e15814);
 let _e15820 = select(1f, _e15809, _e15814);
-phi_34197_ = type_38(type_35(select(_e15807, _e15757, (_e15757 > _e15807)), select(_e15809, _e15759, (_e15759 < _e15809))), type_35(select(_e15819, _e15763, (_e15763 > _e15819)), select(_e15820, _e15765, (_e15765 < _e15820))), ((((1f * select(1f, 0f, (_e15637 && _e15628))) * select(1f, 0f, (_e15696 && _e15687))) * select(1f, 0f, (_e15755 && _e15746))) * select(1f, 0f, (_e15814 && _e15805))));
+phi_34210_ = type_38(type_35(select(_e15807, _e15757, (_e15757 > _e15807)), select(_e15809, _e15759, (_e15759 < _e15809))), type_35(select(_e15819, _e15763, (_e15763 > _e15819)), select(_e15820, _e15765, (_e15765 < _e15820))), ((((1f * select(1f, 0f, (_e15637 && _e15628))) * select(1f, 0f, (_e15696 && _e15687))) * select(1f, 0f, (_e15755 && _e15746))) * select(1f, 0f, (_e15814 && _e15805))));
 }
-let _e15832 = phi_34197_;
+let _e15832 = phi_34210_;
 let _e15833 = (_e13341 - _e15173);
 let _e15837 = (bitcast<f32>((bitcast<u32>(_e15833) & 2147483647u)) < 1e-12f);
 let _e15839 = (1f / select(_e15833, 1f, _e15837));
@@ -5208,7 +5208,7 @@ let _e16655 = global_3.member[bitcast<u32>(select(0i, _e16650, (_e16650 > 0i)))]
 let _e16665 = (_e16617 + (((bitcast<f32>((((_e16625 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16617) * _e16600));
 let _e16673 = global_3.member[_e12180];
 let _e16682 = global_3.member[_e12200];
-phi_37872_ = type_42((((_e16665 + (((_e16647 + (((bitcast<f32>((((_e16655 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16647) * _e16600)) - _e16665) * (_e16475 - f32(_e16553)))) * (1f - (_e16587 + _e16593))) + (((bitcast<f32>((((_e16673 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16587) + ((bitcast<f32>((((_e16682 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16593))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37885_ = type_42((((_e16665 + (((_e16647 + (((bitcast<f32>((((_e16655 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16647) * _e16600)) - _e16665) * (_e16475 - f32(_e16553)))) * (1f - (_e16587 + _e16593))) + (((bitcast<f32>((((_e16673 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16587) + ((bitcast<f32>((((_e16682 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16593))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e15591;
 let _e15950 = local_3;
@@ -5321,9 +5321,9 @@ let _e16357 = (_e16287 + (((bitcast<f32>(((_e16302 & 32767u) << bitcast<u32>(13i
 let _e16366 = (_e16294 + (((bitcast<f32>((((_e16302 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16294) * _e16137));
 let _e16374 = global_3.member[_e12180];
 let _e16388 = global_3.member[_e12200];
-phi_37872_ = type_42((((_e16366 + (((_e16334 + (((bitcast<f32>((((_e16342 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16334) * _e16137)) - _e16366) * _e16135)) * _e16139) + (((bitcast<f32>((((_e16374 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>((((_e16388 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130))), vec3<f32>((((_e16357 + (((_e16327 + (((bitcast<f32>(((_e16342 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16327) * _e16137)) - _e16357) * _e16135)) * _e16139) + (((bitcast<f32>(((_e16374 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>(((_e16388 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130))), (((_e16221 + (((_e16191 + (((bitcast<f32>(((_e16206 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16191) * _e16137)) - _e16221) * _e16135)) * _e16139) + (((bitcast<f32>(((_e16238 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>(((_e16252 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130))), (((_e16230 + (((_e16198 + (((bitcast<f32>((((_e16206 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16198) * _e16137)) - _e16230) * _e16135)) * _e16139) + (((bitcast<f32>((((_e16238 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>((((_e16252 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37885_ = type_42((((_e16366 + (((_e16334 + (((bitcast<f32>((((_e16342 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16334) * _e16137)) - _e16366) * _e16135)) * _e16139) + (((bitcast<f32>((((_e16374 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>((((_e16388 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130))), vec3<f32>((((_e16357 + (((_e16327 + (((bitcast<f32>(((_e16342 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16327) * _e16137)) - _e16357) * _e16135)) * _e16139) + (((bitcast<f32>(((_e16374 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>(((_e16388 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130))), (((_e16221 + (((_e16191 + (((bitcast<f32>(((_e16206 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16191) * _e16137)) - _e16221) * _e16135)) * _e16139) + (((bitcast<f32>(((_e16238 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>(((_e16252 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130))), (((_e16230 + (((_e16198 + (((bitcast<f32>((((_e16206 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16198) * _e16137)) - _e16230) * _e16135)) * _e16139) + (((bitcast<f32>((((_e16238 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16124) + ((bitcast<f32>((((_e16252 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16130)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e16697 = phi_37872_;
+let _e16697 = phi_37885_;
 if _e14140 {
 let _e16910 = -((_e16697.member * (_e13760 * _e15938)));
 let _e16912 = select(-87f, _e16910, (_e16910 > -87f));
@@ -5337,7 +5337,7 @@ let _e16932 = f32(_e16931);
 let _e16936 = ((_e16914 - (_e16932 * 0.6933594f)) - (_e16932 * -2.1219444e-4f));
 let _e16956 = ((1f + (_e16936 * (1f + (_e16936 * (0.5f + (_e16936 * (0.16666667f + (_e16936 * (0.041666668f + (_e16936 * (0.008333334f + (_e16936 * (0.001388889f + (_e16936 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16931 + 127i)) << bitcast<u32>(23i))));
 let _e16957 = (1f - _e16956);
-phi_38223_ = type_43(_e16956, _e16957, vec3<f32>(1f, 1f, 1f), (_e16697.member_2 * (_e16957 / select(1e-12f, _e16697.member, (_e16697.member > 1e-12f)))));
+phi_38236_ = type_43(_e16956, _e16957, vec3<f32>(1f, 1f, 1f), (_e16697.member_2 * (_e16957 / select(1e-12f, _e16697.member, (_e16697.member > 1e-12f)))));
 } else {
 let _e16699 = (_e13760 * select(0f, _e15947, (_e15947 > 0f)));
 let _e16703 = -((_e16697.member_1.x * _e16699));
@@ -5382,20 +5382,20 @@ let _e16875 = f32(_e16874);
 let _e16879 = ((_e16857 - (_e16875 * 0.6933594f)) - (_e16875 * -2.1219444e-4f));
 let _e16899 = ((1f + (_e16879 * (1f + (_e16879 * (0.5f + (_e16879 * (0.16666667f + (_e16879 * (0.041666668f + (_e16879 * (0.008333334f + (_e16879 * (0.001388889f + (_e16879 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16874 + 127i)) << bitcast<u32>(23i))));
 let _e16900 = (1f - _e16899);
-phi_38223_ = type_43(_e16899, _e16900, vec3<f32>(((1f + (_e16729 * (1f + (_e16729 * (0.5f + (_e16729 * (0.16666667f + (_e16729 * (0.041666668f + (_e16729 * (0.008333334f + (_e16729 * (0.001388889f + (_e16729 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16724 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16779 * (1f + (_e16779 * (0.5f + (_e16779 * (0.16666667f + (_e16779 * (0.041666668f + (_e16779 * (0.008333334f + (_e16779 * (0.001388889f + (_e16779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16774 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16829 * (1f + (_e16829 * (0.5f + (_e16829 * (0.16666667f + (_e16829 * (0.041666668f + (_e16829 * (0.008333334f + (_e16829 * (0.001388889f + (_e16829 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16824 + 127i)) << bitcast<u32>(23i))))), (_e16697.member_2 * (_e16900 / select(1e-12f, _e16697.member, (_e16697.member > 1e-12f)))));
+phi_38236_ = type_43(_e16899, _e16900, vec3<f32>(((1f + (_e16729 * (1f + (_e16729 * (0.5f + (_e16729 * (0.16666667f + (_e16729 * (0.041666668f + (_e16729 * (0.008333334f + (_e16729 * (0.001388889f + (_e16729 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16724 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16779 * (1f + (_e16779 * (0.5f + (_e16779 * (0.16666667f + (_e16779 * (0.041666668f + (_e16779 * (0.008333334f + (_e16779 * (0.001388889f + (_e16779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16774 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16829 * (1f + (_e16829 * (0.5f + (_e16829 * (0.16666667f + (_e16829 * (0.041666668f + (_e16829 * (0.008333334f + (_e16829 * (0.001388889f + (_e16829 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16824 + 127i)) << bitcast<u32>(23i))))), (_e16697.member_2 * (_e16900 / select(1e-12f, _e16697.member, (_e16697.member > 1e-12f)))));
 }
-let _e16965 = phi_38223_;
+let _e16965 = phi_38236_;
 let _e16971 = (_e15156.member * _e16965.member);
 let _e16985 = (((_e13175 * _e13175) + (_e13177 * _e13177)) + (_e13179 * _e13179));
 let _e16988 = sqrt(select(0f, _e16985, (_e16985 > 0f)));
 let _e16990 = select(1e-20f, _e16988, (_e16988 > 1e-20f));
 let _e16991 = (_e11889 / _e16990);
-let _e16995 = ((_e13187 - _e13759) / select(1e-20f, _e13266, (_e13266 > 1e-20f)));
+let _e16995 = ((_e13187 - _e13759) / select(1e-20f, _e13329, (_e13329 > 1e-20f)));
 let _e17005 = (_e5740.member.x + (_e13333 - _e13183));
 let _e17006 = (_e5740.member.y + (_e13334 - _e13184));
 let _e17007 = (_e5740.member.z + (_e13335 - _e13185));
 if _e4605 {
-phi_38837_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_38850_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e17011 = global_1.member.member_16.member;
 let _e17022 = ((((_e17011.member.member * _e17005) + (_e17011.member.member_1 * _e17006)) + (_e17011.member.member_2 * _e17007)) + _e17011.member_1);
@@ -5469,9 +5469,9 @@ let _e17229 = global_1.member.member_19.member_1;
 let _e17230 = (_e17229 != 0u);
 let _e17235 = select(0f, _e17223, _e17230);
 let _e17236 = select(1f, _e17225, _e17230);
-phi_38837_ = type_38(type_35(select(_e17223, _e17173, (_e17173 > _e17223)), select(_e17225, _e17175, (_e17175 < _e17225))), type_35(select(_e17235, _e17179, (_e17179 > _e17235)), select(_e17236, _e17181, (_e17181 < _e17236))), ((((1f * select(1f, 0f, (_e17053 && _e17044))) * select(1f, 0f, (_e17112 && _e17103))) * select(1f, 0f, (_e17171 && _e17162))) * select(1f, 0f, (_e17230 && _e17221))));
+phi_38850_ = type_38(type_35(select(_e17223, _e17173, (_e17173 > _e17223)), select(_e17225, _e17175, (_e17175 < _e17225))), type_35(select(_e17235, _e17179, (_e17179 > _e17235)), select(_e17236, _e17181, (_e17181 < _e17236))), ((((1f * select(1f, 0f, (_e17053 && _e17044))) * select(1f, 0f, (_e17112 && _e17103))) * select(1f, 0f, (_e17171 && _e17162))) * select(1f, 0f, (_e17230 && _e17221))));
 }
-let _e17248 = phi_38837_;
+let _e17248 = phi_38850_;
 let _e17254 = ((((_e576.member.member * _e17005) + (_e576.member.member_1 * _e17006)) + (_e576.member.member_2 * _e17007)) + _e576.member_1);
 let _e17260 = ((((_e591.member.member * _e17005) + (_e591.member.member_1 * _e17006)) + (_e591.member.member_2 * _e17007)) + _e591.member_1);
 let _e17266 = ((((_e606.member.member * _e17005) + (_e606.member.member_1 * _e17006)) + (_e606.member.member_2 * _e17007)) + _e606.member_1);
@@ -5578,11 +5578,11 @@ let _e17614 = global_1.member.member_12.member_14.member_1;
 let _e17615 = bitcast<i32>(_e17614);
 let _e17620 = global_1.member.member_12.member_14.member_2;
 if ((((((_e17601 >= 0i) && (_e17601 < _e17609)) && (_e17603 >= 0i)) && (_e17603 < _e17615)) && (_e17599 >= 0i)) && (_e17599 < bitcast<i32>(_e17620))) {
-phi_39544_ = (((((_e17599 * _e17615) + _e17603) * _e17609) + _e17601) * 3i);
+phi_39557_ = (((((_e17599 * _e17615) + _e17603) * _e17609) + _e17601) * 3i);
 } else {
-phi_39544_ = -1i;
+phi_39557_ = -1i;
 }
-let _e17639 = phi_39544_;
+let _e17639 = phi_39557_;
 let _e17640 = (_e17639 + 1i);
 let _e17642 = (bitcast<i32>(_e267) - 1i);
 let _e17644 = select(_e17642, _e17640, (_e17640 < _e17642));
@@ -5631,7 +5631,7 @@ let _e17761 = select(_e17642, _e17759, (_e17759 < _e17642));
 let _e17766 = global_4.member[bitcast<u32>(select(0i, _e17761, (_e17761 > 0i)))];
 let _e17777 = select(1f, (_e17728 + (((_e17749 + (((_e17758 + ((bitcast<f32>(_e17766) - _e17758) * _e17679)) - _e17749) * _e17681)) - _e17728) * _e17683)), _e17684);
 if _e14140 {
-phi_40121_ = vec3(_e17777);
+phi_40134_ = vec3(_e17777);
 } else {
 let _e17782 = global_1.member.member_12.member_12;
 let _e17783 = (_e17782 > 1u);
@@ -5697,12 +5697,12 @@ let _e17956 = bitcast<f32>(_e17955);
 let _e17957 = (_e17927 + 10i);
 let _e17959 = select(_e17642, _e17957, (_e17957 < _e17642));
 let _e17964 = global_4.member[bitcast<u32>(select(0i, _e17959, (_e17959 > 0i)))];
-phi_40121_ = vec3<f32>(_e17777, select(1f, (_e17831 + (((_e17852 + (((_e17861 + ((bitcast<f32>(_e17869) - _e17861) * _e17679)) - _e17852) * _e17681)) - _e17831) * _e17683)), _e17684), select(1f, (_e17926 + (((_e17947 + (((_e17956 + ((bitcast<f32>(_e17964) - _e17956) * _e17679)) - _e17947) * _e17681)) - _e17926) * _e17683)), _e17684));
+phi_40134_ = vec3<f32>(_e17777, select(1f, (_e17831 + (((_e17852 + (((_e17861 + ((bitcast<f32>(_e17869) - _e17861) * _e17679)) - _e17852) * _e17681)) - _e17831) * _e17683)), _e17684), select(1f, (_e17926 + (((_e17947 + (((_e17956 + ((bitcast<f32>(_e17964) - _e17956) * _e17679)) - _e17947) * _e17681)) - _e17926) * _e17683)), _e17684));
 }
-let _e17978 = phi_40121_;
-let _e17979 = (_e17502 - _e13267.member);
-let _e17980 = (_e17508 - _e13267.member_1);
-let _e17981 = (_e17514 - _e13267.member_2);
+let _e17978 = phi_40134_;
+let _e17979 = (_e17502 - _e13266.member);
+let _e17980 = (_e17508 - _e13266.member_1);
+let _e17981 = (_e17514 - _e13266.member_2);
 let _e17986 = (((_e17979 * _e17979) + (_e17980 * _e17980)) + (_e17981 * _e17981));
 let _e17989 = sqrt(select(0f, _e17986, (_e17986 > 0f)));
 let _e17992 = (1f / select(1e-20f, _e17989, (_e17989 > 1e-20f)));
@@ -5767,13 +5767,13 @@ let _e18247 = (_e17996 + select(0f, ((_e18117 + (((_e18173 + (((_e18190 + ((f32(
 let _e18250 = (_e17997 + select(0f, ((_e18120 + (((_e18176 + (((_e18201 + ((select(_e18221, -(_e18221), ((_e18211 >> bitcast<u32>(31i)) != 0u)) - _e18201) * _e17679)) - _e18176) * _e17681)) - _e18120) * _e17683)) * 6.151953e-5f), _e17684));
 let _e18254 = (1f - ((_e18247 * _e18247) + (_e18250 * _e18250)));
 let _e18256 = select(1e-4f, _e18254, (_e18254 > 1e-4f));
-phi_40528_ = vec3<f32>(_e18247, _e18250, sqrt(select(0f, _e18256, (_e18256 > 0f))));
+phi_40541_ = vec3<f32>(_e18247, _e18250, sqrt(select(0f, _e18256, (_e18256 > 0f))));
 } else {
-phi_40528_ = vec3<f32>(_e17996, _e17997, select(1f, (_e17981 * _e17992), _e13242));
+phi_40541_ = vec3<f32>(_e17996, _e17997, select(1f, (_e17981 * _e17992), _e13242));
 }
-let _e18262 = phi_40528_;
+let _e18262 = phi_40541_;
 if _e5505 {
-phi_40622_ = 1f;
+phi_40635_ = 1f;
 } else {
 let _e18268 = global_1.member.member_12.member_20.member;
 let _e18276 = (((_e18268.member * _e17979) + (_e18268.member_1 * _e17980)) + (_e18268.member_2 * _e17981));
@@ -5786,23 +5786,23 @@ let _e18304 = global_1.member.member_12.member_20.member_2;
 let _e18305 = ((_e18298 - (sqrt(select(0f, _e18287, (_e18287 > 0f))) / select(1e-20f, _e18276, (_e18276 > 1e-20f)))) * _e18304);
 let _e18307 = select(0f, _e18305, (_e18305 > 0f));
 let _e18309 = select(1f, _e18307, (_e18307 < 1f));
-phi_40622_ = select(1f, select(0f, ((_e18309 * _e18309) * (3f - (2f * _e18309))), (_e18276 > 0f)), (_e18304 > 0f));
+phi_40635_ = select(1f, select(0f, ((_e18309 * _e18309) * (3f - (2f * _e18309))), (_e18276 > 0f)), (_e18304 > 0f));
 }
-let _e18319 = phi_40622_;
+let _e18319 = phi_40635_;
 let _e18324 = global_1.member.member_11.member_1;
 if _e5505 {
-phi_40664_ = 1f;
+phi_40677_ = 1f;
 } else {
-phi_40664_ = (1f / select(1e-12f, _e17986, (_e17986 > 1e-12f)));
+phi_40677_ = (1f / select(1e-12f, _e17986, (_e17986 > 1e-12f)));
 }
-let _e18338 = phi_40664_;
+let _e18338 = phi_40677_;
 let _e18339 = (_e18338 * select(_e18319, 1f, (_e626 && _e17684)));
-let _e18351 = ((_e13295.member * _e18262.x) + (_e13306.member * _e18262.y));
-let _e18352 = ((_e13295.member_1 * _e18262.x) + (_e13306.member_1 * _e18262.y));
-let _e18353 = ((_e13295.member_2 * _e18262.x) + (_e13306.member_2 * _e18262.y));
-let _e18355 = (_e13320.member * _e18262.z);
-let _e18356 = (_e13320.member_1 * _e18262.z);
-let _e18357 = (_e13320.member_2 * _e18262.z);
+let _e18351 = ((_e13294.member * _e18262.x) + (_e13305.member * _e18262.y));
+let _e18352 = ((_e13294.member_1 * _e18262.x) + (_e13305.member_1 * _e18262.y));
+let _e18353 = ((_e13294.member_2 * _e18262.x) + (_e13305.member_2 * _e18262.y));
+let _e18355 = (_e13319.member * _e18262.z);
+let _e18356 = (_e13319.member_1 * _e18262.z);
+let _e18357 = (_e13319.member_2 * _e18262.z);
 let _e18359 = (_e18351 + _e18355);
 let _e18360 = (_e18352 + _e18356);
 let _e18361 = (_e18353 + _e18357);
@@ -5816,7 +5816,7 @@ let _e18375 = select(_e5928, _e18373, (_e18373 < _e5928));
 let _e18377 = select(_e5918, _e14019, (_e14019 > _e5918));
 let _e18379 = select(_e5933, _e18377, (_e18377 < _e5933));
 if _e10697 {
-phi_40895_ = vec3<f32>(_e18371, _e18375, _e18379);
+phi_40908_ = vec3<f32>(_e18371, _e18375, _e18379);
 } else {
 let _e18381 = (_e18371 + 0.5f);
 let _e18382 = (_e5803 - 1f);
@@ -5833,9 +5833,9 @@ let _e18418 = (_e5813 - 1f);
 let _e18420 = select(0f, _e18417, (_e18417 > 0f));
 let _e18422 = select(_e18418, _e18420, (_e18420 < _e18418));
 let _e18429 = select(0i, select(select(i32(_e18422), i32(-2147483648), (_e18422 < -2147483600f)), 2147483647i, (_e18422 > 2147483500f)), (_e18422 == _e18422));
-phi_40895_ = vec3<f32>(f32((_e18393 - select(0i, 1i, (_e18386 < f32(_e18393))))), f32((_e18411 - select(0i, 1i, (_e18404 < f32(_e18411))))), f32((_e18429 - select(0i, 1i, (_e18422 < f32(_e18429))))));
+phi_40908_ = vec3<f32>(f32((_e18393 - select(0i, 1i, (_e18386 < f32(_e18393))))), f32((_e18411 - select(0i, 1i, (_e18404 < f32(_e18411))))), f32((_e18429 - select(0i, 1i, (_e18422 < f32(_e18429))))));
 }
-let _e18437 = phi_40895_;
+let _e18437 = phi_40908_;
 let _e18440 = select(-1f, _e18437.x, (_e18437.x > -1f));
 let _e18442 = select(_e5803, _e18440, (_e18440 < _e5803));
 let _e18449 = select(0i, select(select(i32(_e18442), i32(-2147483648), (_e18442 < -2147483600f)), 2147483647i, (_e18442 > 2147483500f)), (_e18442 == _e18442));
@@ -6209,11 +6209,11 @@ let _e19721 = select(0i, select(select(i32(_e19714), i32(-2147483648), (_e19714 
 let _e19725 = (_e19721 - select(0i, 1i, (_e19714 < f32(_e19721))));
 let _e19726 = f32(_e19725);
 let _e19730 = ((_e19708 - (_e19726 * 0.6933594f)) - (_e19726 * -2.1219444e-4f));
-phi_42863_ = (select(((_e19702 - ((1f + (_e19730 * (1f + (_e19730 * (0.5f + (_e19730 * (0.16666667f + (_e19730 * (0.041666668f + (_e19730 * (0.008333334f + (_e19730 * (0.001388889f + (_e19730 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e19725 + 127i)) << bitcast<u32>(23i))))) / select(_e19651, 1f, _e19655)), (_e19702 * (1f - (0.5f * _e19651))), _e19655) * (_e13130 / _e17444));
+phi_42876_ = (select(((_e19702 - ((1f + (_e19730 * (1f + (_e19730 * (0.5f + (_e19730 * (0.16666667f + (_e19730 * (0.041666668f + (_e19730 * (0.008333334f + (_e19730 * (0.001388889f + (_e19730 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e19725 + 127i)) << bitcast<u32>(23i))))) / select(_e19651, 1f, _e19655)), (_e19702 * (1f - (0.5f * _e19651))), _e19655) * (_e13130 / _e17444));
 } else {
-phi_42863_ = _e18366;
+phi_42876_ = _e18366;
 }
-let _e19761 = phi_42863_;
+let _e19761 = phi_42876_;
 let _e19763 = select(_e10429.member, _e11407, (_e11407 < _e10429.member));
 let _e19765 = select(_e10429.member, _e11407, (_e11407 > _e10429.member));
 let _e19768 = (_e15591 + ((_e13759 - _e15591) * 0f));
@@ -6250,14 +6250,14 @@ let _e19897 = (_e13759 + ((_e19894 - _e13759) * 0f));
 let _e19947 = (263219i + ((((((select(0i, 1i, (_e19897 >= _e19776)) + select(0i, 1i, (_e19897 >= _e19786))) + (select(0i, 1i, (_e19897 >= _e19797)) + select(0i, 1i, (_e19897 >= _e19807)))) + ((select(0i, 1i, (_e19897 >= _e19819)) + select(0i, 1i, (_e19897 >= _e19829))) + (select(0i, 1i, (_e19897 >= _e19840)) + select(0i, 1i, (_e19897 >= _e19850))))) * 9i) + (((select(0i, 1i, (_e19894 >= _e19776)) + select(0i, 1i, (_e19894 >= _e19786))) + (select(0i, 1i, (_e19894 >= _e19797)) + select(0i, 1i, (_e19894 >= _e19807)))) + ((select(0i, 1i, (_e19894 >= _e19819)) + select(0i, 1i, (_e19894 >= _e19829))) + (select(0i, 1i, (_e19894 >= _e19840)) + select(0i, 1i, (_e19894 >= _e19850)))))) * 6i));
 let _e19949 = select(_e11140, _e19947, (_e19947 < _e11140));
 let _e19954 = global_3.member[bitcast<u32>(select(0i, _e19949, (_e19949 > 0i)))];
-phi_43662_ = (select(_e18366, _e19761, _e13264) * select((bitcast<f32>(_e19889) * bitcast<f32>(_e19954)), 1f, (select(_e15938, _e14125, (_e14125 < _e15938)) < 1f)));
+phi_43675_ = (select(_e18366, _e19761, _e13264) * select((bitcast<f32>(_e19889) * bitcast<f32>(_e19954)), 1f, (select(_e15938, _e14125, (_e14125 < _e15938)) < 1f)));
 } else {
-phi_43662_ = _e18366;
+phi_43675_ = _e18366;
 }
-let _e19964 = phi_43662_;
-phi_43672_ = type_40(vec3<f32>((((_e17978.x * _e18324.member) * _e18339) * ((_e15156.member_2.x * _e16965.member_2.x) * _e19964)), (((_e17978.y * _e18324.member_1) * _e18339) * ((_e15156.member_2.y * _e16965.member_2.y) * _e19964)), (((_e17978.z * _e18324.member_2) * _e18339) * ((_e15156.member_2.z * _e16965.member_2.z) * _e19964))), (vec3<f32>(_e18351, _e18352, _e18353) + vec3<f32>(_e18355, _e18356, _e18357)));
+let _e19964 = phi_43675_;
+phi_43685_ = type_40(vec3<f32>((((_e17978.x * _e18324.member) * _e18339) * ((_e15156.member_2.x * _e16965.member_2.x) * _e19964)), (((_e17978.y * _e18324.member_1) * _e18339) * ((_e15156.member_2.y * _e16965.member_2.y) * _e19964)), (((_e17978.z * _e18324.member_2) * _e18339) * ((_e15156.member_2.z * _e16965.member_2.z) * _e19964))), (vec3<f32>(_e18351, _e18352, _e18353) + vec3<f32>(_e18355, _e18356, _e18357)));
 }
-let _e19974 = phi_43672_;
+let _e19974 = phi_43685_;
 let _e19983 = (((_e19974.member_1.x * _e19974.member_1.x) + (_e19974.member_1.y * _e19974.member_1.y)) + (_e19974.member_1.z * _e19974.member_1.z));
 let _e19986 = sqrt(select(0f, _e19983, (_e19983 > 0f)));
 let _e19988 = ((_e4603 & 8u) != 0u);
@@ -6270,19 +6270,19 @@ let _e20027 = sqrt(select(0f, _e20024, (_e20024 > 0f)));
 let _e20033 = (_e20027 * _e19986);
 let _e20036 = ((((_e10429.member_2.x * _e19974.member_1.x) + (_e10429.member_2.y * _e19974.member_1.y)) + (_e10429.member_2.z * _e19974.member_1.z)) / select(1e-20f, _e20033, (_e20033 > 1e-20f)));
 if ((((_e10429.member_2.x * _e5740.member_1.x) + (_e10429.member_2.y * _e5740.member_1.y)) + (_e10429.member_2.z * _e5740.member_1.z)) > 0f) {
-phi_43804_ = _e20036;
+phi_43817_ = _e20036;
 } else {
-phi_43804_ = -(_e20036);
+phi_43817_ = -(_e20036);
 }
-let _e20045 = phi_43804_;
+let _e20045 = phi_43817_;
 let _e20053 = ((_e20027 / _e5832) * (1f / 0.015625f));
 let _e20055 = select(0f, _e20053, (_e20053 > 0f));
 let _e20057 = select(1f, _e20055, (_e20055 < 1f));
-phi_43847_ = (1f + ((((_e20045 + bitcast<f32>((bitcast<u32>(_e20045) & 2147483647u))) * 0.5f) - 1f) * select(_e13071, _e20057, (_e20057 > _e13071))));
+phi_43860_ = (1f + ((((_e20045 + bitcast<f32>((bitcast<u32>(_e20045) & 2147483647u))) * 0.5f) - 1f) * select(_e13071, _e20057, (_e20057 > _e13071))));
 } else {
-phi_43847_ = 1f;
+phi_43860_ = 1f;
 }
-let _e20064 = phi_43847_;
+let _e20064 = phi_43860_;
 let _e20071 = global_1.member.member_20.member;
 let _e20078 = (1f - _e5740.member_6);
 let _e20096 = (_e5740.member_5.x + (((_e5740.member_7.x * _e20004) * ((_e13067.member_3.x * (((_e19974.member.x * _e19996) * _e20064) + _e20071.member)) + 0f)) * _e20078));
@@ -6370,112 +6370,112 @@ let _e20498 = select(0f, _e20496, (_e20496 > 0f));
 let _e20500 = select(1f, _e20498, (_e20498 < 1f));
 if _e6575 {
 let _e20510 = global_1.member.member_12.member_18.member_4;
-phi_44295_ = _e20510;
+phi_44316_ = _e20510;
 } else {
 let _e20505 = global_1.member.member_12.member_18.member_3;
-phi_44295_ = _e20505;
+phi_44316_ = _e20505;
 }
-let _e20512 = phi_44295_;
+let _e20512 = phi_44316_;
 let _e20516 = ((bitcast<i32>(_e20512) + (_e20488 * _e20341)) + _e20471);
 let _e20517 = (_e20341 * _e20348);
 let _e20519 = (bitcast<i32>(_e267) - 1i);
 let _e20521 = select(_e20519, _e20516, (_e20516 < _e20519));
-let _e20527 = global_4.member[bitcast<u32>(select(0i, _e20521, (_e20521 > 0i)))];
-let _e20528 = bitcast<f32>(_e20527);
-let _e20529 = (_e20516 + 1i);
-let _e20531 = select(_e20519, _e20529, (_e20529 < _e20519));
-let _e20537 = global_4.member[bitcast<u32>(select(0i, _e20531, (_e20531 > 0i)))];
-let _e20541 = (_e20528 + ((bitcast<f32>(_e20537) - _e20528) * _e20494));
-let _e20542 = (_e20516 + _e20341);
-let _e20544 = select(_e20519, _e20542, (_e20542 < _e20519));
-let _e20550 = global_4.member[bitcast<u32>(select(0i, _e20544, (_e20544 > 0i)))];
-let _e20551 = bitcast<f32>(_e20550);
-let _e20552 = (_e20542 + 1i);
-let _e20554 = select(_e20519, _e20552, (_e20552 < _e20519));
-let _e20560 = global_4.member[bitcast<u32>(select(0i, _e20554, (_e20554 > 0i)))];
-let _e20567 = (_e20541 + (((_e20551 + ((bitcast<f32>(_e20560) - _e20551) * _e20494)) - _e20541) * _e20500));
-let _e20568 = (_e20516 + _e20517);
-let _e20570 = select(_e20519, _e20568, (_e20568 < _e20519));
-let _e20576 = global_4.member[bitcast<u32>(select(0i, _e20570, (_e20570 > 0i)))];
-let _e20577 = bitcast<f32>(_e20576);
-let _e20578 = (_e20568 + 1i);
-let _e20580 = select(_e20519, _e20578, (_e20578 < _e20519));
-let _e20586 = global_4.member[bitcast<u32>(select(0i, _e20580, (_e20580 > 0i)))];
-let _e20590 = (_e20577 + ((bitcast<f32>(_e20586) - _e20577) * _e20494));
-let _e20591 = (_e20568 + _e20341);
-let _e20593 = select(_e20519, _e20591, (_e20591 < _e20519));
-let _e20599 = global_4.member[bitcast<u32>(select(0i, _e20593, (_e20593 > 0i)))];
-let _e20600 = bitcast<f32>(_e20599);
-let _e20601 = (_e20591 + 1i);
-let _e20603 = select(_e20519, _e20601, (_e20601 < _e20519));
-let _e20609 = global_4.member[bitcast<u32>(select(0i, _e20603, (_e20603 > 0i)))];
-let _e20616 = (_e20590 + (((_e20600 + ((bitcast<f32>(_e20609) - _e20600) * _e20494)) - _e20590) * _e20500));
-let _e20618 = (_e20516 + (2i * _e20517));
-let _e20620 = select(_e20519, _e20618, (_e20618 < _e20519));
-let _e20626 = global_4.member[bitcast<u32>(select(0i, _e20620, (_e20620 > 0i)))];
-let _e20627 = bitcast<f32>(_e20626);
-let _e20628 = (_e20618 + 1i);
-let _e20630 = select(_e20519, _e20628, (_e20628 < _e20519));
-let _e20636 = global_4.member[bitcast<u32>(select(0i, _e20630, (_e20630 > 0i)))];
-let _e20640 = (_e20627 + ((bitcast<f32>(_e20636) - _e20627) * _e20494));
-let _e20641 = (_e20618 + _e20341);
-let _e20643 = select(_e20519, _e20641, (_e20641 < _e20519));
-let _e20649 = global_4.member[bitcast<u32>(select(0i, _e20643, (_e20643 > 0i)))];
-let _e20650 = bitcast<f32>(_e20649);
-let _e20651 = (_e20641 + 1i);
-let _e20653 = select(_e20519, _e20651, (_e20651 < _e20519));
-let _e20659 = global_4.member[bitcast<u32>(select(0i, _e20653, (_e20653 > 0i)))];
-let _e20666 = (_e20640 + (((_e20650 + ((bitcast<f32>(_e20659) - _e20650) * _e20494)) - _e20640) * _e20500));
+let _e20526 = global_4.member[bitcast<u32>(select(0i, _e20521, (_e20521 > 0i)))];
+let _e20527 = bitcast<f32>(_e20526);
+let _e20528 = (_e20516 + 1i);
+let _e20530 = select(_e20519, _e20528, (_e20528 < _e20519));
+let _e20535 = global_4.member[bitcast<u32>(select(0i, _e20530, (_e20530 > 0i)))];
+let _e20539 = (_e20527 + ((bitcast<f32>(_e20535) - _e20527) * _e20494));
+let _e20540 = (_e20516 + _e20341);
+let _e20542 = select(_e20519, _e20540, (_e20540 < _e20519));
+let _e20547 = global_4.member[bitcast<u32>(select(0i, _e20542, (_e20542 > 0i)))];
+let _e20548 = bitcast<f32>(_e20547);
+let _e20549 = (_e20540 + 1i);
+let _e20551 = select(_e20519, _e20549, (_e20549 < _e20519));
+let _e20556 = global_4.member[bitcast<u32>(select(0i, _e20551, (_e20551 > 0i)))];
+let _e20563 = (_e20539 + (((_e20548 + ((bitcast<f32>(_e20556) - _e20548) * _e20494)) - _e20539) * _e20500));
+let _e20564 = (_e20516 + _e20517);
+let _e20566 = select(_e20519, _e20564, (_e20564 < _e20519));
+let _e20571 = global_4.member[bitcast<u32>(select(0i, _e20566, (_e20566 > 0i)))];
+let _e20572 = bitcast<f32>(_e20571);
+let _e20573 = (_e20564 + 1i);
+let _e20575 = select(_e20519, _e20573, (_e20573 < _e20519));
+let _e20580 = global_4.member[bitcast<u32>(select(0i, _e20575, (_e20575 > 0i)))];
+let _e20584 = (_e20572 + ((bitcast<f32>(_e20580) - _e20572) * _e20494));
+let _e20585 = (_e20564 + _e20341);
+let _e20587 = select(_e20519, _e20585, (_e20585 < _e20519));
+let _e20592 = global_4.member[bitcast<u32>(select(0i, _e20587, (_e20587 > 0i)))];
+let _e20593 = bitcast<f32>(_e20592);
+let _e20594 = (_e20585 + 1i);
+let _e20596 = select(_e20519, _e20594, (_e20594 < _e20519));
+let _e20601 = global_4.member[bitcast<u32>(select(0i, _e20596, (_e20596 > 0i)))];
+let _e20608 = (_e20584 + (((_e20593 + ((bitcast<f32>(_e20601) - _e20593) * _e20494)) - _e20584) * _e20500));
+let _e20610 = (_e20516 + (2i * _e20517));
+let _e20612 = select(_e20519, _e20610, (_e20610 < _e20519));
+let _e20617 = global_4.member[bitcast<u32>(select(0i, _e20612, (_e20612 > 0i)))];
+let _e20618 = bitcast<f32>(_e20617);
+let _e20619 = (_e20610 + 1i);
+let _e20621 = select(_e20519, _e20619, (_e20619 < _e20519));
+let _e20626 = global_4.member[bitcast<u32>(select(0i, _e20621, (_e20621 > 0i)))];
+let _e20630 = (_e20618 + ((bitcast<f32>(_e20626) - _e20618) * _e20494));
+let _e20631 = (_e20610 + _e20341);
+let _e20633 = select(_e20519, _e20631, (_e20631 < _e20519));
+let _e20638 = global_4.member[bitcast<u32>(select(0i, _e20633, (_e20633 > 0i)))];
+let _e20639 = bitcast<f32>(_e20638);
+let _e20640 = (_e20631 + 1i);
+let _e20642 = select(_e20519, _e20640, (_e20640 < _e20519));
+let _e20647 = global_4.member[bitcast<u32>(select(0i, _e20642, (_e20642 > 0i)))];
+let _e20654 = (_e20630 + (((_e20639 + ((bitcast<f32>(_e20647) - _e20639) * _e20494)) - _e20630) * _e20500));
 if _e5505 {
-phi_44663_ = vec3<f32>(_e20567, _e20616, _e20666);
+phi_44684_ = vec3<f32>(_e20563, _e20608, _e20654);
 } else {
 if _e5505 {
-phi_44631_ = 1f;
+phi_44652_ = 1f;
 } else {
-let _e20672 = global_1.member.member_12.member_20.member;
-let _e20680 = (((_e20672.member * _e20181) + (_e20672.member_1 * _e20182)) + (_e20672.member_2 * _e20183));
-let _e20684 = (_e20181 - (_e20672.member * _e20680));
-let _e20685 = (_e20182 - (_e20672.member_1 * _e20680));
-let _e20686 = (_e20183 - (_e20672.member_2 * _e20680));
-let _e20691 = (((_e20684 * _e20684) + (_e20685 * _e20685)) + (_e20686 * _e20686));
-let _e20702 = global_1.member.member_12.member_20.member_1;
-let _e20708 = global_1.member.member_12.member_20.member_2;
-let _e20709 = ((_e20702 - (sqrt(select(0f, _e20691, (_e20691 > 0f))) / select(1e-20f, _e20680, (_e20680 > 1e-20f)))) * _e20708);
-let _e20711 = select(0f, _e20709, (_e20709 > 0f));
-let _e20713 = select(1f, _e20711, (_e20711 < 1f));
-phi_44631_ = select(1f, select(0f, ((_e20713 * _e20713) * (3f - (2f * _e20713))), (_e20680 > 0f)), (_e20708 > 0f));
+let _e20660 = global_1.member.member_12.member_20.member;
+let _e20668 = (((_e20660.member * _e20181) + (_e20660.member_1 * _e20182)) + (_e20660.member_2 * _e20183));
+let _e20672 = (_e20181 - (_e20660.member * _e20668));
+let _e20673 = (_e20182 - (_e20660.member_1 * _e20668));
+let _e20674 = (_e20183 - (_e20660.member_2 * _e20668));
+let _e20679 = (((_e20672 * _e20672) + (_e20673 * _e20673)) + (_e20674 * _e20674));
+let _e20690 = global_1.member.member_12.member_20.member_1;
+let _e20696 = global_1.member.member_12.member_20.member_2;
+let _e20697 = ((_e20690 - (sqrt(select(0f, _e20679, (_e20679 > 0f))) / select(1e-20f, _e20668, (_e20668 > 1e-20f)))) * _e20696);
+let _e20699 = select(0f, _e20697, (_e20697 > 0f));
+let _e20701 = select(1f, _e20699, (_e20699 < 1f));
+phi_44652_ = select(1f, select(0f, ((_e20701 * _e20701) * (3f - (2f * _e20701))), (_e20668 > 0f)), (_e20696 > 0f));
 }
-let _e20723 = phi_44631_;
-let _e20725 = select(0f, 1f, (_e20183 > 0f));
-let _e20729 = ((_e20567 * _e20725) + _e20723);
-let _e20730 = ((_e20616 * _e20725) + _e20723);
-let _e20731 = ((_e20666 * _e20725) + _e20723);
-phi_44663_ = vec3<f32>(select(0f, _e20729, (_e20729 > 0f)), select(0f, _e20730, (_e20730 > 0f)), select(0f, _e20731, (_e20731 > 0f)));
+let _e20711 = phi_44652_;
+let _e20713 = select(0f, 1f, (_e20183 > 0f));
+let _e20717 = ((_e20563 * _e20713) + _e20711);
+let _e20718 = ((_e20608 * _e20713) + _e20711);
+let _e20719 = ((_e20654 * _e20713) + _e20711);
+phi_44684_ = vec3<f32>(select(0f, _e20717, (_e20717 > 0f)), select(0f, _e20718, (_e20718 > 0f)), select(0f, _e20719, (_e20719 > 0f)));
 }
-let _e20740 = phi_44663_;
+let _e20728 = phi_44684_;
 if _e5505 {
-phi_44689_ = 1f;
+phi_44710_ = 1f;
 } else {
-phi_44689_ = (1f / select(1e-12f, _e20188, (_e20188 > 1e-12f)));
+phi_44710_ = (1f / select(1e-12f, _e20188, (_e20188 > 1e-12f)));
 }
-let _e20745 = phi_44689_;
-let _e20755 = global_1.member.member_11.member_1;
-phi_44957_ = type_40(vec3<f32>((_e20755.member * (_e20740.x * _e20745)), (_e20755.member_1 * (_e20740.y * _e20745)), (_e20755.member_2 * (_e20740.z * _e20745))), _e20239);
+let _e20733 = phi_44710_;
+let _e20743 = global_1.member.member_11.member_1;
+phi_44978_ = type_40(vec3<f32>((_e20743.member * (_e20728.x * _e20733)), (_e20743.member_1 * (_e20728.y * _e20733)), (_e20743.member_2 * (_e20728.z * _e20733))), _e20239);
 } else {
 if _e5505 {
 let _e20319 = global_1.member.member_11.member_1;
 let _e20327 = global_1.member.member_11.member;
-phi_44956_ = type_40(vec3<f32>(_e20319.member, _e20319.member_1, _e20319.member_2), vec3<f32>(_e20327.member, _e20327.member_1, _e20327.member_2));
+phi_44977_ = type_40(vec3<f32>(_e20319.member, _e20319.member_1, _e20319.member_2), vec3<f32>(_e20327.member, _e20327.member_1, _e20327.member_2));
 } else {
 let _e20245 = global_1.member.member_11.member_1;
 if _e5505 {
-phi_44800_ = 1f;
+phi_44821_ = 1f;
 } else {
-phi_44800_ = (1f / select(1e-12f, _e20188, (_e20188 > 1e-12f)));
+phi_44821_ = (1f / select(1e-12f, _e20188, (_e20188 > 1e-12f)));
 }
-let _e20253 = phi_44800_;
+let _e20253 = phi_44821_;
 if _e5505 {
-phi_44884_ = 1f;
+phi_44905_ = 1f;
 } else {
 let _e20258 = global_1.member.member_12.member_20.member;
 let _e20266 = (((_e20258.member * _e20181) + (_e20258.member_1 * _e20182)) + (_e20258.member_2 * _e20183));
@@ -6488,125 +6488,125 @@ let _e20294 = global_1.member.member_12.member_20.member_2;
 let _e20295 = ((_e20288 - (sqrt(select(0f, _e20277, (_e20277 > 0f))) / select(1e-20f, _e20266, (_e20266 > 1e-20f)))) * _e20294);
 let _e20297 = select(0f, _e20295, (_e20295 > 0f));
 let _e20299 = select(1f, _e20297, (_e20297 < 1f));
-phi_44884_ = select(1f, select(0f, ((_e20299 * _e20299) * (3f - (2f * _e20299))), (_e20266 > 0f)), (_e20294 > 0f));
+phi_44905_ = select(1f, select(0f, ((_e20299 * _e20299) * (3f - (2f * _e20299))), (_e20266 > 0f)), (_e20294 > 0f));
 }
-let _e20309 = phi_44884_;
+let _e20309 = phi_44905_;
 let _e20310 = (_e20253 * _e20309);
-phi_44956_ = type_40(vec3<f32>((_e20245.member * _e20310), (_e20245.member_1 * _e20310), (_e20245.member_2 * _e20310)), _e20239);
+phi_44977_ = type_40(vec3<f32>((_e20245.member * _e20310), (_e20245.member_1 * _e20310), (_e20245.member_2 * _e20310)), _e20239);
 }
-let _e20334 = phi_44956_;
-phi_44957_ = _e20334;
+let _e20334 = phi_44977_;
+phi_44978_ = _e20334;
 }
-let _e20765 = phi_44957_;
-let _e20769 = global_1.member.member_23.member_4;
+let _e20753 = phi_44978_;
+let _e20757 = global_1.member.member_23.member_4;
+let _e20765 = (((_e20757.member * _e6604) + (_e20757.member_1 * _e6605)) + (_e20757.member_2 * _e6606));
+let _e20769 = global_1.member.member_23.member_5;
 let _e20777 = (((_e20769.member * _e6604) + (_e20769.member_1 * _e6605)) + (_e20769.member_2 * _e6606));
-let _e20781 = global_1.member.member_23.member_5;
+let _e20781 = global_1.member.member_23.member_6;
 let _e20789 = (((_e20781.member * _e6604) + (_e20781.member_1 * _e6605)) + (_e20781.member_2 * _e6606));
-let _e20793 = global_1.member.member_23.member_6;
-let _e20801 = (((_e20793.member * _e6604) + (_e20793.member_1 * _e6605)) + (_e20793.member_2 * _e6606));
-let _e20805 = global_1.member.member_20.member_1;
-let _e20815 = global_1.member.member_20.member_2;
-let _e20828 = global_1.member.member_20.member_3;
-let _e20841 = global_1.member.member_20.member_4;
-let _e20845 = (_e20777 * _e20777);
-let _e20852 = global_1.member.member_20.member_5;
-let _e20856 = (_e20789 * _e20789);
-let _e20866 = global_1.member.member_20.member_6;
-let _e20870 = (_e20801 * _e20801);
-let _e20880 = global_1.member.member_20.member_7;
-let _e20884 = (_e20777 * _e20789);
-let _e20891 = global_1.member.member_20.member_8;
-let _e20895 = (_e20777 * _e20801);
-let _e20905 = global_1.member.member_20.member_9;
-let _e20909 = (_e20789 * _e20801);
-let _e20922 = ((_e20071.member + (((_e20805.member * _e20777) + (_e20815.member * _e20789)) + (_e20828.member * _e20801))) + ((((_e20841.member * _e20845) + (_e20852.member * _e20856)) + (_e20866.member * _e20870)) + (((_e20880.member * _e20884) + (_e20891.member * _e20895)) + (_e20905.member * _e20909))));
-let _e20923 = ((_e20071.member_1 + (((_e20805.member_1 * _e20777) + (_e20815.member_1 * _e20789)) + (_e20828.member_1 * _e20801))) + ((((_e20841.member_1 * _e20845) + (_e20852.member_1 * _e20856)) + (_e20866.member_1 * _e20870)) + (((_e20880.member_1 * _e20884) + (_e20891.member_1 * _e20895)) + (_e20905.member_1 * _e20909))));
-let _e20924 = ((_e20071.member_2 + (((_e20805.member_2 * _e20777) + (_e20815.member_2 * _e20789)) + (_e20828.member_2 * _e20801))) + ((((_e20841.member_2 * _e20845) + (_e20852.member_2 * _e20856)) + (_e20866.member_2 * _e20870)) + (((_e20880.member_2 * _e20884) + (_e20891.member_2 * _e20895)) + (_e20905.member_2 * _e20909))));
-let _e20939 = (((_e20765.member_1.x * _e20765.member_1.x) + (_e20765.member_1.y * _e20765.member_1.y)) + (_e20765.member_1.z * _e20765.member_1.z));
-let _e20942 = sqrt(select(0f, _e20939, (_e20939 > 0f)));
-let _e20946 = (1e-6f * _e20942);
-let _e20950 = select((_e20942 / select(_e20946, _e20765.member_1.z, (_e20765.member_1.z > _e20946))), 1f, _e19988);
-let _e20965 = (-((((_e6604 * _e20765.member_1.x) + (_e6605 * _e20765.member_1.y)) + (_e6606 * _e20765.member_1.z))) / select(1e-20f, _e20942, (_e20942 > 1e-20f)));
-let _e20970 = bitcast<f32>((bitcast<u32>(select(0f, _e20965, (_e20965 > 0f))) & 2147483647u));
-let _e20983 = (1f - _e20103);
-let _e20997 = select(_e20103, 1f, _e6616);
-let _e21002 = select(_e20108, _e20106, (_e20106 > _e20108));
-phi_45285_ = type_34(vec3<f32>(select(_e6511, _e20125, _e6616), select(_e6512, _e20126, _e6616), select(_e6513, _e20127, _e6616)), vec3<f32>(select((_e10677 + (_e10429.member_4.x * _e11389)), select((_e10677 + (_e11352 * _e11371)), _e10677, _e11372), _e6495), select((_e10678 + (_e10429.member_4.y * _e11389)), select((_e10678 + (_e11353 * _e11371)), _e10678, _e11372), _e6495), select((_e10679 + (_e10429.member_4.z * _e11389)), select((_e10679 + (_e11354 * _e11371)), _e10679, _e11372), _e6495)), _e10429.member, select(4f, 1f, (_e6616 || (((1f - _e20997) * select(_e20110, _e21002, (_e21002 > _e20110))) < 9.765625e-4f))), select(_e20121, (_e20121 + (_e20983 * _e20127)), _e6616), vec3<f32>(select(_e20096, (_e20096 + ((_e20106 * ((select(_e6597.member, _e6586.member, _e6575) * (((_e20765.member.x * _e20950) * _e20970) + select(0f, _e20922, (_e20922 > 0f)))) * _e20004)) * _e20983)), _e6616), select(_e20098, (_e20098 + ((_e20108 * ((select(_e6597.member_1, _e6586.member_1, _e6575) * (((_e20765.member.y * _e20950) * _e20970) + select(0f, _e20923, (_e20923 > 0f)))) * _e20004)) * _e20983)), _e6616), select(_e20100, (_e20100 + ((_e20110 * ((select(_e6597.member_2, _e6586.member_2, _e6575) * (((_e20765.member.z * _e20950) * _e20970) + select(0f, _e20924, (_e20924 > 0f)))) * _e20004)) * _e20983)), _e6616)), _e20997, (_e5740.member_7 * _e13067.member_2), select(0f, _e10429.member_3, (_e5753 != (_e6495 && !((_e11368 && (_e11337 != 0f)))))), -1.2676506e30f, _e5740.member_10, _e5740.member_11, _e5740.member_12);
-phi_45286_ = _e10670.member_2;
-phi_45288_ = _e10429;
+let _e20793 = global_1.member.member_20.member_1;
+let _e20803 = global_1.member.member_20.member_2;
+let _e20816 = global_1.member.member_20.member_3;
+let _e20829 = global_1.member.member_20.member_4;
+let _e20833 = (_e20765 * _e20765);
+let _e20840 = global_1.member.member_20.member_5;
+let _e20844 = (_e20777 * _e20777);
+let _e20854 = global_1.member.member_20.member_6;
+let _e20858 = (_e20789 * _e20789);
+let _e20868 = global_1.member.member_20.member_7;
+let _e20872 = (_e20765 * _e20777);
+let _e20879 = global_1.member.member_20.member_8;
+let _e20883 = (_e20765 * _e20789);
+let _e20893 = global_1.member.member_20.member_9;
+let _e20897 = (_e20777 * _e20789);
+let _e20910 = ((_e20071.member + (((_e20793.member * _e20765) + (_e20803.member * _e20777)) + (_e20816.member * _e20789))) + ((((_e20829.member * _e20833) + (_e20840.member * _e20844)) + (_e20854.member * _e20858)) + (((_e20868.member * _e20872) + (_e20879.member * _e20883)) + (_e20893.member * _e20897))));
+let _e20911 = ((_e20071.member_1 + (((_e20793.member_1 * _e20765) + (_e20803.member_1 * _e20777)) + (_e20816.member_1 * _e20789))) + ((((_e20829.member_1 * _e20833) + (_e20840.member_1 * _e20844)) + (_e20854.member_1 * _e20858)) + (((_e20868.member_1 * _e20872) + (_e20879.member_1 * _e20883)) + (_e20893.member_1 * _e20897))));
+let _e20912 = ((_e20071.member_2 + (((_e20793.member_2 * _e20765) + (_e20803.member_2 * _e20777)) + (_e20816.member_2 * _e20789))) + ((((_e20829.member_2 * _e20833) + (_e20840.member_2 * _e20844)) + (_e20854.member_2 * _e20858)) + (((_e20868.member_2 * _e20872) + (_e20879.member_2 * _e20883)) + (_e20893.member_2 * _e20897))));
+let _e20927 = (((_e20753.member_1.x * _e20753.member_1.x) + (_e20753.member_1.y * _e20753.member_1.y)) + (_e20753.member_1.z * _e20753.member_1.z));
+let _e20930 = sqrt(select(0f, _e20927, (_e20927 > 0f)));
+let _e20934 = (1e-6f * _e20930);
+let _e20938 = select((_e20930 / select(_e20934, _e20753.member_1.z, (_e20753.member_1.z > _e20934))), 1f, _e19988);
+let _e20953 = (-((((_e6604 * _e20753.member_1.x) + (_e6605 * _e20753.member_1.y)) + (_e6606 * _e20753.member_1.z))) / select(1e-20f, _e20930, (_e20930 > 1e-20f)));
+let _e20958 = bitcast<f32>((bitcast<u32>(select(0f, _e20953, (_e20953 > 0f))) & 2147483647u));
+let _e20971 = (1f - _e20103);
+let _e20985 = select(_e20103, 1f, _e6617);
+let _e20990 = select(_e20108, _e20106, (_e20106 > _e20108));
+phi_45306_ = type_34(vec3<f32>(select(_e6511, _e20125, _e6617), select(_e6512, _e20126, _e6617), select(_e6513, _e20127, _e6617)), vec3<f32>(select((_e10677 + (_e10429.member_4.x * _e11389)), select((_e10677 + (_e11352 * _e11371)), _e10677, _e11372), _e6495), select((_e10678 + (_e10429.member_4.y * _e11389)), select((_e10678 + (_e11353 * _e11371)), _e10678, _e11372), _e6495), select((_e10679 + (_e10429.member_4.z * _e11389)), select((_e10679 + (_e11354 * _e11371)), _e10679, _e11372), _e6495)), _e10429.member, select(4f, 1f, (_e6617 || (((1f - _e20985) * select(_e20110, _e20990, (_e20990 > _e20110))) < 9.765625e-4f))), select(_e20121, (_e20121 + (_e20971 * _e20127)), _e6617), vec3<f32>(select(_e20096, (_e20096 + ((_e20106 * ((select(_e6597.member, _e6586.member, _e6575) * (((_e20753.member.x * _e20938) * _e20958) + select(0f, _e20910, (_e20910 > 0f)))) * _e20004)) * _e20971)), _e6617), select(_e20098, (_e20098 + ((_e20108 * ((select(_e6597.member_1, _e6586.member_1, _e6575) * (((_e20753.member.y * _e20938) * _e20958) + select(0f, _e20911, (_e20911 > 0f)))) * _e20004)) * _e20971)), _e6617), select(_e20100, (_e20100 + ((_e20110 * ((select(_e6597.member_2, _e6586.member_2, _e6575) * (((_e20753.member.z * _e20938) * _e20958) + select(0f, _e20912, (_e20912 > 0f)))) * _e20004)) * _e20971)), _e6617)), _e20985, (_e5740.member_7 * _e13067.member_2), select(0f, _e10429.member_3, (_e5753 != (_e6495 && !((_e11368 && (_e11337 != 0f)))))), -1.2676506e30f, _e5740.member_10, _e5740.member_11, _e5740.member_12);
+phi_45307_ = _e10670.member_2;
+phi_45310_ = _e10429;
 }
-let _e21033 = phi_45285_;
-let _e21035 = phi_45286_;
-let _e21037 = phi_45288_;
-phi_11502_ = _e21033;
-phi_11504_ = _e21035;
-phi_11508_ = _e21037;
-phi_11510_ = (_e5746 + 1i);
+let _e21021 = phi_45306_;
+let _e21023 = phi_45307_;
+let _e21025 = phi_45310_;
+phi_11507_ = _e21021;
+phi_11509_ = _e21023;
+phi_11515_ = _e21025;
+phi_11517_ = (_e5746 + 1i);
 } else {
-phi_11502_ = type_34();
-phi_11504_ = f32();
-phi_11508_ = type_37();
-phi_11510_ = i32();
+phi_11507_ = type_34();
+phi_11509_ = f32();
+phi_11515_ = type_37();
+phi_11517_ = i32();
 }
-let _e21039 = phi_11502_;
-let _e21041 = phi_11504_;
-let _e21043 = phi_11508_;
-let _e21045 = phi_11510_;
+let _e21027 = phi_11507_;
+let _e21029 = phi_11509_;
+let _e21031 = phi_11515_;
+let _e21033 = phi_11517_;
 continue;
 continuing {
-phi_11501_ = _e21039;
-phi_11503_ = _e21041;
-phi_11507_ = _e21043;
-phi_11509_ = _e21045;
+phi_11506_ = _e21027;
+phi_11508_ = _e21029;
+phi_11514_ = _e21031;
+phi_11516_ = _e21033;
 break if !(_e5750);
 }
 }
-let _e21048 = local_62;
-let _e21052 = local_63;
-let _e21056 = local_64;
-let _e21060 = local_65;
-let _e21064 = local_66;
-let _e21068 = local_67;
-let _e21072 = local_68;
-let _e21075 = local_69;
-let _e21078 = local_70;
-let _e21082 = local_71;
-let _e21086 = local_72;
-let _e21090 = local_73;
-let _e21093 = local_74;
-let _e21097 = local_75;
-let _e21101 = local_76;
-let _e21105 = local_77;
-let _e21108 = local_78;
-let _e21111 = local_79;
-let _e21114 = local_80;
-let _e21117 = local_81;
-let _e21121 = local_82;
-let _e21125 = local_83;
-global_5.member[_e292] = _e21048.member.x;
-global_5.member[_e304] = _e21052.member.y;
-global_5.member[_e315] = _e21056.member.z;
-global_5.member[_e326] = _e21060.member_1.x;
-global_5.member[_e337] = _e21064.member_1.y;
-global_5.member[_e348] = _e21068.member_1.z;
-global_5.member[_e359] = _e21072.member_2;
-let _e21145 = local_84;
-global_5.member[_e370] = _e21145;
-global_5.member[_e381] = _e21075.member_4;
-global_5.member[_e392] = _e21078.member_5.x;
-global_5.member[_e403] = _e21082.member_5.y;
-global_5.member[_e414] = _e21086.member_5.z;
-global_5.member[_e425] = _e21090.member_6;
-global_5.member[_e436] = _e21093.member_7.x;
-global_5.member[_e447] = _e21097.member_7.y;
-global_5.member[_e458] = _e21101.member_7.z;
-global_5.member[_e469] = _e21105.member_8;
-global_5.member[_e480] = _e21108.member_9;
-global_5.member[_e491] = _e21111.member_10;
-global_5.member[_e502] = _e21114.member_11;
-global_5.member[_e513] = _e21117.member_12.x;
-global_5.member[_e524] = _e21121.member_12.y;
-global_5.member[_e535] = _e21125.member_12.z;
+let _e21036 = local_62;
+let _e21040 = local_63;
+let _e21044 = local_64;
+let _e21048 = local_65;
+let _e21052 = local_66;
+let _e21056 = local_67;
+let _e21060 = local_68;
+let _e21063 = local_69;
+let _e21066 = local_70;
+let _e21070 = local_71;
+let _e21074 = local_72;
+let _e21078 = local_73;
+let _e21081 = local_74;
+let _e21085 = local_75;
+let _e21089 = local_76;
+let _e21093 = local_77;
+let _e21096 = local_78;
+let _e21099 = local_79;
+let _e21102 = local_80;
+let _e21105 = local_81;
+let _e21109 = local_82;
+let _e21113 = local_83;
+global_5.member[_e292] = _e21036.member.x;
+global_5.member[_e304] = _e21040.member.y;
+global_5.member[_e315] = _e21044.member.z;
+global_5.member[_e326] = _e21048.member_1.x;
+global_5.member[_e337] = _e21052.member_1.y;
+global_5.member[_e348] = _e21056.member_1.z;
+global_5.member[_e359] = _e21060.member_2;
+let _e21133 = local_84;
+global_5.member[_e370] = _e21133;
+global_5.member[_e381] = _e21063.member_4;
+global_5.member[_e392] = _e21066.member_5.x;
+global_5.member[_e403] = _e21070.member_5.y;
+global_5.member[_e414] = _e21074.member_5.z;
+global_5.member[_e425] = _e21078.member_6;
+global_5.member[_e436] = _e21081.member_7.x;
+global_5.member[_e447] = _e21085.member_7.y;
+global_5.member[_e458] = _e21089.member_7.z;
+global_5.member[_e469] = _e21093.member_8;
+global_5.member[_e480] = _e21096.member_9;
+global_5.member[_e491] = _e21099.member_10;
+global_5.member[_e502] = _e21102.member_11;
+global_5.member[_e513] = _e21105.member_12.x;
+global_5.member[_e524] = _e21109.member_12.y;
+global_5.member[_e535] = _e21113.member_12.z;
 }
 }
 }

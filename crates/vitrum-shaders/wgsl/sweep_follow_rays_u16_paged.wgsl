@@ -339,73 +339,73 @@ var local_58: f32;
 var local_59: type_30;
 var local_60: vec3<f32>;
 var local_61: type_32;
-var phi_8602_: vec3<f32>;
-var phi_6920_: vec3<f32>;
-var phi_9070_: f32;
-var phi_9071_: vec3<f32>;
-var phi_1073_: vec3<f32>;
-var phi_6573_: type_36;
-var phi_9073_: type_37;
-var phi_9586_: type_38;
-var phi_10921_: type_39;
-var phi_10958_: type_34;
-var phi_11062_: f32;
-var phi_11146_: f32;
-var phi_11218_: type_40;
-var phi_11223_: type_34;
-var phi_11225_: f32;
-var phi_11229_: type_37;
-var phi_11231_: i32;
-var phi_12706_: type_39;
-var phi_12718_: bool;
-var phi_12733_: vec3<f32>;
-var phi_20622_: vec3<f32>;
-var phi_18940_: vec3<f32>;
-var phi_21090_: f32;
-var phi_21091_: vec3<f32>;
-var phi_13093_: vec3<f32>;
-var phi_18593_: type_36;
-var phi_21093_: type_37;
-var phi_21618_: type_38;
-var phi_21814_: vec3<f32>;
-var phi_26620_: type_43;
-var phi_26621_: type_41;
-var phi_26622_: f32;
-var phi_27210_: vec3<f32>;
-var phi_28194_: type_38;
-var phi_31869_: type_42;
-var phi_32220_: type_43;
-var phi_32425_: vec3<f32>;
-var phi_33409_: type_38;
-var phi_37084_: type_42;
-var phi_37435_: type_43;
-var phi_38049_: type_38;
-var phi_38756_: i32;
-var phi_39333_: vec3<f32>;
-var phi_39740_: vec3<f32>;
-var phi_39834_: f32;
-var phi_39876_: f32;
-var phi_40107_: vec3<f32>;
-var phi_41974_: f32;
-var phi_42773_: f32;
-var phi_42783_: type_40;
-var phi_42915_: f32;
-var phi_42958_: f32;
-var phi_43911_: f32;
-var phi_43995_: f32;
-var phi_44067_: type_40;
-var phi_43406_: u32;
-var phi_43742_: f32;
-var phi_43774_: vec3<f32>;
-var phi_43800_: f32;
-var phi_44068_: type_40;
-var phi_44396_: type_34;
-var phi_44397_: f32;
-var phi_44399_: type_37;
-var phi_11224_: type_34;
-var phi_11226_: f32;
-var phi_11230_: type_37;
-var phi_11232_: i32;
+var phi_8607_: vec3<f32>;
+var phi_6925_: vec3<f32>;
+var phi_9075_: f32;
+var phi_9076_: vec3<f32>;
+var phi_1078_: vec3<f32>;
+var phi_6578_: type_36;
+var phi_9078_: type_37;
+var phi_9591_: type_38;
+var phi_10926_: type_39;
+var phi_10963_: type_34;
+var phi_11067_: f32;
+var phi_11151_: f32;
+var phi_11223_: type_40;
+var phi_11228_: type_34;
+var phi_11230_: f32;
+var phi_11236_: type_37;
+var phi_11238_: i32;
+var phi_12713_: type_39;
+var phi_12725_: bool;
+var phi_12740_: vec3<f32>;
+var phi_20629_: vec3<f32>;
+var phi_18947_: vec3<f32>;
+var phi_21097_: f32;
+var phi_21098_: vec3<f32>;
+var phi_13100_: vec3<f32>;
+var phi_18600_: type_36;
+var phi_21100_: type_37;
+var phi_21625_: type_38;
+var phi_21821_: vec3<f32>;
+var phi_26627_: type_43;
+var phi_26628_: type_41;
+var phi_26629_: f32;
+var phi_27223_: vec3<f32>;
+var phi_28207_: type_38;
+var phi_31882_: type_42;
+var phi_32233_: type_43;
+var phi_32438_: vec3<f32>;
+var phi_33422_: type_38;
+var phi_37097_: type_42;
+var phi_37448_: type_43;
+var phi_38062_: type_38;
+var phi_38769_: i32;
+var phi_39346_: vec3<f32>;
+var phi_39753_: vec3<f32>;
+var phi_39847_: f32;
+var phi_39889_: f32;
+var phi_40120_: vec3<f32>;
+var phi_41987_: f32;
+var phi_42786_: f32;
+var phi_42796_: type_40;
+var phi_42928_: f32;
+var phi_42971_: f32;
+var phi_43932_: f32;
+var phi_44016_: f32;
+var phi_44088_: type_40;
+var phi_43427_: u32;
+var phi_43763_: f32;
+var phi_43795_: vec3<f32>;
+var phi_43821_: f32;
+var phi_44089_: type_40;
+var phi_44417_: type_34;
+var phi_44418_: f32;
+var phi_44421_: type_37;
+var phi_11229_: type_34;
+var phi_11231_: f32;
+var phi_11237_: type_37;
+var phi_11239_: i32;
 var local_62: type_34;
 var local_63: type_34;
 var local_64: type_34;
@@ -577,7 +577,7 @@ let _e2468 = select(_e2461, _e619, (_e619 > _e2461));
 let _e2470 = select(_e2466, _e2468, (_e2468 < _e2466));
 let _e2475 = global_1.member.member_8.member_15;
 if (_e2475 == 0u) {
-phi_1073_ = vec3<f32>(_e2442, _e2456, _e2470);
+phi_1078_ = vec3<f32>(_e2442, _e2456, _e2470);
 } else {
 let _e2477 = (_e2442 + 0.5f);
 let _e2482 = global_1.member.member_8.member_3.member;
@@ -597,9 +597,9 @@ let _e2529 = (_e2528 - 1f);
 let _e2531 = select(0f, _e2523, (_e2523 > 0f));
 let _e2533 = select(_e2529, _e2531, (_e2531 < _e2529));
 let _e2540 = select(0i, select(select(i32(_e2533), i32(-2147483648), (_e2533 < -2147483600f)), 2147483647i, (_e2533 > 2147483500f)), (_e2533 == _e2533));
-phi_1073_ = vec3<f32>(f32((_e2494 - select(0i, 1i, (_e2487 < f32(_e2494))))), f32((_e2517 - select(0i, 1i, (_e2510 < f32(_e2517))))), f32((_e2540 - select(0i, 1i, (_e2533 < f32(_e2540))))));
+phi_1078_ = vec3<f32>(f32((_e2494 - select(0i, 1i, (_e2487 < f32(_e2494))))), f32((_e2517 - select(0i, 1i, (_e2510 < f32(_e2517))))), f32((_e2540 - select(0i, 1i, (_e2533 < f32(_e2540))))));
 }
-let _e2548 = phi_1073_;
+let _e2548 = phi_1078_;
 let _e2554 = global_1.member.member_8.member_3.member;
 let _e2556 = select(-1f, _e2548.x, (_e2548.x > -1f));
 let _e2558 = select(_e2554, _e2556, (_e2556 < _e2554));
@@ -1022,7 +1022,7 @@ if _e627 {
 let _e4342 = ((0.5f * (_e3633 - _e3627)) * _e3891);
 let _e4343 = ((0.5f * (_e3645 - _e3639)) * _e3891);
 let _e4344 = ((0.5f * (_e3657 - _e3651)) * _e3891);
-phi_6573_ = type_36(_e3853, vec3<f32>(_e4342, _e4343, _e4344), vec3<f32>((_e4342 * _e3853), (_e4343 * _e3853), (_e4344 * _e3853)));
+phi_6578_ = type_36(_e3853, vec3<f32>(_e4342, _e4343, _e4344), vec3<f32>((_e4342 * _e3853), (_e4343 * _e3853), (_e4344 * _e3853)));
 } else {
 local_55 = _e3627;
 let _e3892 = local_55;
@@ -1171,9 +1171,9 @@ let _e4317 = ((_e3838 + (f32(bitcast<i32>((_e4302 >> bitcast<u32>(12u)))) * _e38
 let _e4318 = (_e4033 - _e3962);
 let _e4320 = (_e4175 - _e4104);
 let _e4322 = (_e4317 - _e4246);
-phi_6573_ = type_36(_e3853, vec3<f32>((0.5f * _e4318), (0.5f * _e4320), (0.5f * _e4322)), vec3<f32>((0.25f * (_e4318 * (_e4033 + _e3962))), (0.25f * (_e4320 * (_e4175 + _e4104))), (0.25f * (_e4322 * (_e4317 + _e4246)))));
+phi_6578_ = type_36(_e3853, vec3<f32>((0.5f * _e4318), (0.5f * _e4320), (0.5f * _e4322)), vec3<f32>((0.25f * (_e4318 * (_e4033 + _e3962))), (0.25f * (_e4320 * (_e4175 + _e4104))), (0.25f * (_e4322 * (_e4317 + _e4246)))));
 }
-let _e4352 = phi_6573_;
+let _e4352 = phi_6578_;
 let _e4367 = select(0f, 1f, ((((((_e589 >= _e2433) && (_e589 <= _e2438)) && (_e604 >= _e2447)) && (_e604 <= _e2452)) && (_e619 >= _e2461)) && (_e619 <= _e2466)));
 let _e4369 = (0.5f * (_e3633 - _e3627));
 let _e4371 = (0.5f * (_e3645 - _e3639));
@@ -1190,7 +1190,7 @@ let _e4427 = global_1.member.member_8.member_2.member.member_2;
 let _e4432 = (((_e4379 * _e4369) + (_e4397 * _e4371)) + (_e4415 * _e4373));
 let _e4437 = (((_e4385 * _e4369) + (_e4403 * _e4371)) + (_e4421 * _e4373));
 let _e4442 = (((_e4391 * _e4369) + (_e4409 * _e4371)) + (_e4427 * _e4373));
-phi_9073_ = type_37(_e3621, vec3<f32>((_e4432 * _e4367), (_e4437 * _e4367), (_e4442 * _e4367)), vec3<f32>(_e4432, _e4437, _e4442), _e4352.member, vec3<f32>(((((_e4379 * _e4352.member_2.x) + (_e4397 * _e4352.member_2.y)) + (_e4415 * _e4352.member_2.z)) * _e4367), ((((_e4385 * _e4352.member_2.x) + (_e4403 * _e4352.member_2.y)) + (_e4421 * _e4352.member_2.z)) * _e4367), ((((_e4391 * _e4352.member_2.x) + (_e4409 * _e4352.member_2.y)) + (_e4427 * _e4352.member_2.z)) * _e4367)), vec3<f32>(((((_e4379 * _e4352.member_1.x) + (_e4397 * _e4352.member_1.y)) + (_e4415 * _e4352.member_1.z)) * _e4367), ((((_e4385 * _e4352.member_1.x) + (_e4403 * _e4352.member_1.y)) + (_e4421 * _e4352.member_1.z)) * _e4367), ((((_e4391 * _e4352.member_1.x) + (_e4409 * _e4352.member_1.y)) + (_e4427 * _e4352.member_1.z)) * _e4367)));
+phi_9078_ = type_37(_e3621, vec3<f32>((_e4432 * _e4367), (_e4437 * _e4367), (_e4442 * _e4367)), vec3<f32>(_e4432, _e4437, _e4442), _e4352.member, vec3<f32>(((((_e4379 * _e4352.member_2.x) + (_e4397 * _e4352.member_2.y)) + (_e4415 * _e4352.member_2.z)) * _e4367), ((((_e4385 * _e4352.member_2.x) + (_e4403 * _e4352.member_2.y)) + (_e4421 * _e4352.member_2.z)) * _e4367), ((((_e4391 * _e4352.member_2.x) + (_e4409 * _e4352.member_2.y)) + (_e4427 * _e4352.member_2.z)) * _e4367)), vec3<f32>(((((_e4379 * _e4352.member_1.x) + (_e4397 * _e4352.member_1.y)) + (_e4415 * _e4352.member_1.z)) * _e4367), ((((_e4385 * _e4352.member_1.x) + (_e4403 * _e4352.member_1.y)) + (_e4421 * _e4352.member_1.z)) * _e4367), ((((_e4391 * _e4352.member_1.x) + (_e4409 * _e4352.member_1.y)) + (_e4427 * _e4352.member_1.z)) * _e4367)));
 } else {
 if (_e279.member_2 == 8u) {
 let _e1123 = global_1.member.member_8.member_4.member;
@@ -1207,7 +1207,7 @@ let _e1158 = select(_e1151, _e619, (_e619 > _e1151));
 let _e1160 = select(_e1156, _e1158, (_e1158 < _e1156));
 let _e1165 = global_1.member.member_8.member_15;
 if (_e1165 == 0u) {
-phi_6920_ = vec3<f32>(_e1132, _e1146, _e1160);
+phi_6925_ = vec3<f32>(_e1132, _e1146, _e1160);
 } else {
 let _e1167 = (_e1132 + 0.5f);
 let _e1172 = global_1.member.member_8.member_3.member;
@@ -1227,9 +1227,9 @@ let _e1219 = (_e1218 - 1f);
 let _e1221 = select(0f, _e1213, (_e1213 > 0f));
 let _e1223 = select(_e1219, _e1221, (_e1221 < _e1219));
 let _e1230 = select(0i, select(select(i32(_e1223), i32(-2147483648), (_e1223 < -2147483600f)), 2147483647i, (_e1223 > 2147483500f)), (_e1223 == _e1223));
-phi_6920_ = vec3<f32>(f32((_e1184 - select(0i, 1i, (_e1177 < f32(_e1184))))), f32((_e1207 - select(0i, 1i, (_e1200 < f32(_e1207))))), f32((_e1230 - select(0i, 1i, (_e1223 < f32(_e1230))))));
+phi_6925_ = vec3<f32>(f32((_e1184 - select(0i, 1i, (_e1177 < f32(_e1184))))), f32((_e1207 - select(0i, 1i, (_e1200 < f32(_e1207))))), f32((_e1230 - select(0i, 1i, (_e1223 < f32(_e1230))))));
 }
-let _e1238 = phi_6920_;
+let _e1238 = phi_6925_;
 let _e1244 = global_1.member.member_8.member_3.member;
 let _e1246 = select(-1f, _e1238.x, (_e1238.x > -1f));
 let _e1248 = select(_e1244, _e1246, (_e1246 < _e1244));
@@ -1570,8 +1570,8 @@ let _e2389 = global_1.member.member_8.member_1.member.member_2;
 let _e2395 = global_1.member.member_8.member_2.member.member;
 let _e2401 = global_1.member.member_8.member_2.member.member_1;
 let _e2407 = global_1.member.member_8.member_2.member.member_2;
-phi_9070_ = select(1e9f, _e2309, (_e2309 < 1e9f));
-phi_9071_ = vec3<f32>((((_e2359 * _e2349) + (_e2377 * _e2351)) + (_e2395 * _e2353)), (((_e2365 * _e2349) + (_e2383 * _e2351)) + (_e2401 * _e2353)), (((_e2371 * _e2349) + (_e2389 * _e2351)) + (_e2407 * _e2353)));
+phi_9075_ = select(1e9f, _e2309, (_e2309 < 1e9f));
+phi_9076_ = vec3<f32>((((_e2359 * _e2349) + (_e2377 * _e2351)) + (_e2395 * _e2353)), (((_e2365 * _e2349) + (_e2383 * _e2351)) + (_e2401 * _e2353)), (((_e2371 * _e2349) + (_e2389 * _e2351)) + (_e2407 * _e2353)));
 } else {
 let _e634 = global_1.member.member_8.member_4.member;
 let _e639 = global_1.member.member_8.member_5.member;
@@ -1587,7 +1587,7 @@ let _e669 = select(_e662, _e619, (_e619 > _e662));
 let _e671 = select(_e667, _e669, (_e669 < _e667));
 let _e676 = global_1.member.member_8.member_15;
 if (_e676 == 0u) {
-phi_8602_ = vec3<f32>(_e643, _e657, _e671);
+phi_8607_ = vec3<f32>(_e643, _e657, _e671);
 } else {
 let _e678 = (_e643 + 0.5f);
 let _e683 = global_1.member.member_8.member_3.member;
@@ -1607,9 +1607,9 @@ let _e730 = (_e729 - 1f);
 let _e732 = select(0f, _e724, (_e724 > 0f));
 let _e734 = select(_e730, _e732, (_e732 < _e730));
 let _e741 = select(0i, select(select(i32(_e734), i32(-2147483648), (_e734 < -2147483600f)), 2147483647i, (_e734 > 2147483500f)), (_e734 == _e734));
-phi_8602_ = vec3<f32>(f32((_e695 - select(0i, 1i, (_e688 < f32(_e695))))), f32((_e718 - select(0i, 1i, (_e711 < f32(_e718))))), f32((_e741 - select(0i, 1i, (_e734 < f32(_e741))))));
+phi_8607_ = vec3<f32>(f32((_e695 - select(0i, 1i, (_e688 < f32(_e695))))), f32((_e718 - select(0i, 1i, (_e711 < f32(_e718))))), f32((_e741 - select(0i, 1i, (_e734 < f32(_e741))))));
 }
-let _e749 = phi_8602_;
+let _e749 = phi_8607_;
 let _e755 = global_1.member.member_8.member_3.member;
 let _e757 = select(-1f, _e749.x, (_e749.x > -1f));
 let _e759 = select(_e755, _e757, (_e757 < _e755));
@@ -1712,18 +1712,18 @@ let _e1111 = global_1.member.member_8.member_7;
 let _e1113 = (((_e992 + (((_e1043 + (((_e1083 + ((f32(bitcast<i32>(((_e1076 >> bitcast<u32>((_e1084 & 31u))) & 65535u))) - _e1083) * _e1091)) - _e1043) * _e1095)) - _e992) * _e1100)) - _e1107) * _e1111);
 let _e1114 = -(1e9f);
 let _e1116 = select(_e1114, _e1113, (_e1113 > _e1114));
-phi_9070_ = select(1e9f, _e1116, (_e1116 < 1e9f));
-phi_9071_ = vec3<f32>(0f, 0f, 0f);
+phi_9075_ = select(1e9f, _e1116, (_e1116 < 1e9f));
+phi_9076_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e2425 = phi_9070_;
-let _e2427 = phi_9071_;
-phi_9073_ = type_37(_e2425, vec3<f32>(0f, 0f, 0f), _e2427, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2425 = phi_9075_;
+let _e2427 = phi_9076_;
+phi_9078_ = type_37(_e2425, vec3<f32>(0f, 0f, 0f), _e2427, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e4494 = phi_9073_;
+let _e4494 = phi_9078_;
 let _e4497 = global_1.member.member_1;
 let _e4499 = ((_e4497 & 16u) == 0u);
 if _e4499 {
-phi_9586_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_9591_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e4503 = global_1.member.member_16.member;
 let _e4514 = ((((_e4503.member.member * _e305) + (_e4503.member.member_1 * _e315)) + (_e4503.member.member_2 * _e326)) + _e4503.member_1);
@@ -1789,9 +1789,9 @@ let _e4689 = global_1.member.member_19.member_1;
 let _e4690 = (_e4689 != 0u);
 let _e4695 = select(0f, _e4684, _e4690);
 let _e4696 = select(1f, _e4685, _e4690);
-phi_9586_ = type_38(type_35(select(_e4684, _e4641, (_e4641 > _e4684)), select(_e4685, _e4643, (_e4643 < _e4685))), type_35(select(_e4695, _e4647, (_e4647 > _e4695)), select(_e4696, _e4649, (_e4649 < _e4696))), ((((1f * select(1f, 0f, (_e4537 && _e4529))) * select(1f, 0f, (_e4588 && _e4580))) * select(1f, 0f, (_e4639 && _e4631))) * select(1f, 0f, (_e4690 && _e4682))));
+phi_9591_ = type_38(type_35(select(_e4684, _e4641, (_e4641 > _e4684)), select(_e4685, _e4643, (_e4643 < _e4685))), type_35(select(_e4695, _e4647, (_e4647 > _e4695)), select(_e4696, _e4649, (_e4649 < _e4696))), ((((1f * select(1f, 0f, (_e4537 && _e4529))) * select(1f, 0f, (_e4588 && _e4580))) * select(1f, 0f, (_e4639 && _e4631))) * select(1f, 0f, (_e4690 && _e4682))));
 }
-let _e4708 = phi_9586_;
+let _e4708 = phi_9591_;
 if _e547 {
 let _e4710 = type_34(_e569, _e570, _e370, 4f, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
 let _e4715 = global_1.member.member_7.member_2;
@@ -1917,7 +1917,7 @@ let _e5036 = select(select(select(select(select(select(0f, _e4747.member, _e4817
 let _e5037 = select(select(select(select(select(select(0f, _e4747.member_1, _e4817), _e4747.member_1, _e4857), _e4755.member_1, _e4897), _e4755.member_1, _e4937), _e4763.member_1, _e4977), _e4763.member_1, _e5017);
 let _e5038 = select(select(select(select(select(select(1f, _e4747.member_2, _e4817), _e4747.member_2, _e4857), _e4755.member_2, _e4897), _e4755.member_2, _e4937), _e4763.member_2, _e4977), _e4763.member_2, _e5017);
 if _e4499 {
-phi_10921_ = type_39(_e5023, vec3<f32>(_e5024, _e5025, _e5026), _e5028, vec3<f32>(_e5029, _e5030, _e5031), _e5033, _e5035, vec3<f32>(_e5036, _e5037, _e5038));
+phi_10926_ = type_39(_e5023, vec3<f32>(_e5024, _e5025, _e5026), _e5028, vec3<f32>(_e5029, _e5030, _e5031), _e5033, _e5035, vec3<f32>(_e5036, _e5037, _e5038));
 } else {
 let _e5045 = (((_e4747.member * _e4747.member) + (_e4747.member_1 * _e4747.member_1)) + (_e4747.member_2 * _e4747.member_2));
 let _e5048 = sqrt(select(0f, _e5045, (_e5045 > 0f)));
@@ -1997,21 +1997,21 @@ let _e5332 = select(2f, select(0f, _e5324, (_e5305 < 0f)), (_e5306 > 0f));
 let _e5333 = (_e5305 > _e5271);
 let _e5337 = ((_e5328 > _e5263) || ((_e5328 == _e5263) && _e5333));
 let _e5338 = (_e5332 < _e5267);
-phi_10921_ = type_39(select(_e5263, _e5328, _e5337), vec3<f32>(select(select(select(select(_e5024, _e5083.member, _e5109), _e5159.member, _e5185), _e5235.member, _e5261), _e5311.member, _e5337), select(select(select(select(_e5025, _e5083.member_1, _e5109), _e5159.member_1, _e5185), _e5235.member_1, _e5261), _e5311.member_1, _e5337), select(select(select(select(_e5026, _e5083.member_2, _e5109), _e5159.member_2, _e5185), _e5235.member_2, _e5261), _e5311.member_2, _e5337)), select(_e5267, _e5332, _e5338), vec3<f32>(select(select(select(select(_e5029, _e5083.member, _e5110), _e5159.member, _e5186), _e5235.member, _e5262), _e5311.member, _e5338), select(select(select(select(_e5030, _e5083.member_1, _e5110), _e5159.member_1, _e5186), _e5235.member_1, _e5262), _e5311.member_1, _e5338), select(select(select(select(_e5031, _e5083.member_2, _e5110), _e5159.member_2, _e5186), _e5235.member_2, _e5262), _e5311.member_2, _e5338)), select(_e5271, _e5305, _e5333), select(_e5273, _e5306, (_e5306 > _e5273)), vec3<f32>(select(select(select(select(_e5036, _e5083.member, _e5105), _e5159.member, _e5181), _e5235.member, _e5257), _e5311.member, _e5333), select(select(select(select(_e5037, _e5083.member_1, _e5105), _e5159.member_1, _e5181), _e5235.member_1, _e5257), _e5311.member_1, _e5333), select(select(select(select(_e5038, _e5083.member_2, _e5105), _e5159.member_2, _e5181), _e5235.member_2, _e5257), _e5311.member_2, _e5333)));
+phi_10926_ = type_39(select(_e5263, _e5328, _e5337), vec3<f32>(select(select(select(select(_e5024, _e5083.member, _e5109), _e5159.member, _e5185), _e5235.member, _e5261), _e5311.member, _e5337), select(select(select(select(_e5025, _e5083.member_1, _e5109), _e5159.member_1, _e5185), _e5235.member_1, _e5261), _e5311.member_1, _e5337), select(select(select(select(_e5026, _e5083.member_2, _e5109), _e5159.member_2, _e5185), _e5235.member_2, _e5261), _e5311.member_2, _e5337)), select(_e5267, _e5332, _e5338), vec3<f32>(select(select(select(select(_e5029, _e5083.member, _e5110), _e5159.member, _e5186), _e5235.member, _e5262), _e5311.member, _e5338), select(select(select(select(_e5030, _e5083.member_1, _e5110), _e5159.member_1, _e5186), _e5235.member_1, _e5262), _e5311.member_1, _e5338), select(select(select(select(_e5031, _e5083.member_2, _e5110), _e5159.member_2, _e5186), _e5235.member_2, _e5262), _e5311.member_2, _e5338)), select(_e5271, _e5305, _e5333), select(_e5273, _e5306, (_e5306 > _e5273)), vec3<f32>(select(select(select(select(_e5036, _e5083.member, _e5105), _e5159.member, _e5181), _e5235.member, _e5257), _e5311.member, _e5333), select(select(select(select(_e5037, _e5083.member_1, _e5105), _e5159.member_1, _e5181), _e5235.member_1, _e5257), _e5311.member_1, _e5333), select(select(select(select(_e5038, _e5083.member_2, _e5105), _e5159.member_2, _e5181), _e5235.member_2, _e5257), _e5311.member_2, _e5333)));
 }
-let _e5358 = phi_10921_;
+let _e5358 = phi_10926_;
 let _e5368 = (select(select(0.5f, _e5358.member_2, (_e5358.member_2 < 1f)), 0f, (_e491 == -1.2676506e30f)) * ((_e4715 / _e359) * select(_e4708.member_2, 0f, (_e480 == 0f))));
-phi_10958_ = type_34(_e4710.member, vec3<f32>((_e337 - (_e4494.member_4.x * _e5368)), (_e348 - (_e4494.member_4.y * _e5368)), (_e359 - (_e4494.member_4.z * _e5368))), _e4710.member_2, _e4710.member_3, _e4710.member_4, _e4710.member_5, _e4710.member_6, _e4710.member_7, _e4710.member_8, _e4710.member_9, _e4710.member_10, _e4710.member_11, _e4710.member_12);
+phi_10963_ = type_34(_e4710.member, vec3<f32>((_e337 - (_e4494.member_4.x * _e5368)), (_e348 - (_e4494.member_4.y * _e5368)), (_e359 - (_e4494.member_4.z * _e5368))), _e4710.member_2, _e4710.member_3, _e4710.member_4, _e4710.member_5, _e4710.member_6, _e4710.member_7, _e4710.member_8, _e4710.member_9, _e4710.member_10, _e4710.member_11, _e4710.member_12);
 } else {
-phi_10958_ = type_34(_e569, _e570, _e370, _e381, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
+phi_10963_ = type_34(_e569, _e570, _e370, _e381, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
 }
-let _e5393 = phi_10958_;
+let _e5393 = phi_10963_;
 let _e5398 = global_1.member.member_12.member_3;
 let _e5399 = (_e5398 == 0u);
 if _e5399 {
 let _e5617 = global_1.member.member_11.member_1;
 let _e5625 = global_1.member.member_11.member;
-phi_11218_ = type_40(vec3<f32>(_e5617.member, _e5617.member_1, _e5617.member_2), vec3<f32>(_e5625.member, _e5625.member_1, _e5625.member_2));
+phi_11223_ = type_40(vec3<f32>(_e5617.member, _e5617.member_1, _e5617.member_2), vec3<f32>(_e5625.member, _e5625.member_1, _e5625.member_2));
 } else {
 let _e5403 = global_1.member.member_12.member;
 let _e5417 = ((((_e5403.member.member * _e5393.member.x) + (_e5403.member.member_1 * _e5393.member.y)) + (_e5403.member.member_2 * _e5393.member.z)) + _e5403.member_1);
@@ -2021,18 +2021,18 @@ let _e5436 = global_1.member.member_12.member_2;
 let _e5447 = ((((_e5436.member.member * _e5393.member.x) + (_e5436.member.member_1 * _e5393.member.y)) + (_e5436.member.member_2 * _e5393.member.z)) + _e5436.member_1);
 let _e5451 = global_1.member.member_11.member_1;
 if _e5399 {
-phi_11062_ = 1f;
+phi_11067_ = 1f;
 } else {
 let _e5458 = global_1.member.member_12.member_19;
 let _e5462 = (_e5417 - _e5458.member);
 let _e5463 = (_e5432 - _e5458.member_1);
 let _e5464 = (_e5447 - _e5458.member_2);
 let _e5469 = (((_e5462 * _e5462) + (_e5463 * _e5463)) + (_e5464 * _e5464));
-phi_11062_ = (1f / select(1e-12f, _e5469, (_e5469 > 1e-12f)));
+phi_11067_ = (1f / select(1e-12f, _e5469, (_e5469 > 1e-12f)));
 }
-let _e5474 = phi_11062_;
+let _e5474 = phi_11067_;
 if _e5399 {
-phi_11146_ = 1f;
+phi_11151_ = 1f;
 } else {
 let _e5478 = global_1.member.member_12.member_19;
 let _e5482 = (_e5417 - _e5478.member);
@@ -2049,9 +2049,9 @@ let _e5525 = global_1.member.member_12.member_20.member_2;
 let _e5526 = ((_e5519 - (sqrt(select(0f, _e5508, (_e5508 > 0f))) / select(1e-20f, _e5497, (_e5497 > 1e-20f)))) * _e5525);
 let _e5528 = select(0f, _e5526, (_e5526 > 0f));
 let _e5530 = select(1f, _e5528, (_e5528 < 1f));
-phi_11146_ = select(1f, select(0f, ((_e5530 * _e5530) * (3f - (2f * _e5530))), (_e5497 > 0f)), (_e5525 > 0f));
+phi_11151_ = select(1f, select(0f, ((_e5530 * _e5530) * (3f - (2f * _e5530))), (_e5497 > 0f)), (_e5525 > 0f));
 }
-let _e5540 = phi_11146_;
+let _e5540 = phi_11151_;
 let _e5541 = (_e5474 * _e5540);
 let _e5546 = (_e5398 != 0u);
 let _e5550 = global_1.member.member_12.member_19;
@@ -2067,18 +2067,18 @@ let _e5573 = select(1f, (_e5556 * _e5567), _e5546);
 let _e5578 = global_1.member.member_12.member.member;
 let _e5589 = global_1.member.member_12.member_1.member;
 let _e5603 = global_1.member.member_12.member_2.member;
-phi_11218_ = type_40(vec3<f32>((_e5451.member * _e5541), (_e5451.member_1 * _e5541), (_e5451.member_2 * _e5541)), (vec3<f32>(((_e5578.member * _e5571) + (_e5589.member * _e5572)), ((_e5578.member_1 * _e5571) + (_e5589.member_1 * _e5572)), ((_e5578.member_2 * _e5571) + (_e5589.member_2 * _e5572))) + vec3<f32>((_e5603.member * _e5573), (_e5603.member_1 * _e5573), (_e5603.member_2 * _e5573))));
+phi_11223_ = type_40(vec3<f32>((_e5451.member * _e5541), (_e5451.member_1 * _e5541), (_e5451.member_2 * _e5541)), (vec3<f32>(((_e5578.member * _e5571) + (_e5589.member * _e5572)), ((_e5578.member_1 * _e5571) + (_e5589.member_1 * _e5572)), ((_e5578.member_2 * _e5571) + (_e5589.member_2 * _e5572))) + vec3<f32>((_e5603.member * _e5573), (_e5603.member_1 * _e5573), (_e5603.member_2 * _e5573))));
 }
-let _e5632 = phi_11218_;
-phi_11223_ = _e5393;
-phi_11225_ = _e4708.member_2;
-phi_11229_ = _e4494;
-phi_11231_ = 0i;
+let _e5632 = phi_11223_;
+phi_11228_ = _e5393;
+phi_11230_ = _e4708.member_2;
+phi_11236_ = _e4494;
+phi_11238_ = 0i;
 loop {
-let _e5634 = phi_11223_;
-let _e5636 = phi_11225_;
-let _e5638 = phi_11229_;
-let _e5640 = phi_11231_;
+let _e5634 = phi_11228_;
+let _e5636 = phi_11230_;
+let _e5638 = phi_11236_;
+let _e5640 = phi_11238_;
 local_62 = _e5634;
 local_63 = _e5634;
 local_64 = _e5634;
@@ -2252,7 +2252,7 @@ let _e6067 = select(select(select(select(select(select(0f, _e5715.member, _e5848
 let _e6068 = select(select(select(select(select(select(0f, _e5715.member_1, _e5848), _e5715.member_1, _e5888), _e5786.member_1, _e5928), _e5786.member_1, _e5968), _e5794.member_1, _e6008), _e5794.member_1, _e6048);
 let _e6069 = select(select(select(select(select(select(1f, _e5715.member_2, _e5848), _e5715.member_2, _e5888), _e5786.member_2, _e5928), _e5786.member_2, _e5968), _e5794.member_2, _e6008), _e5794.member_2, _e6048);
 if _e4499 {
-phi_12706_ = type_39(_e6054, vec3<f32>(_e6055, _e6056, _e6057), _e6059, vec3<f32>(_e6060, _e6061, _e6062), _e6064, _e6066, vec3<f32>(_e6067, _e6068, _e6069));
+phi_12713_ = type_39(_e6054, vec3<f32>(_e6055, _e6056, _e6057), _e6059, vec3<f32>(_e6060, _e6061, _e6062), _e6064, _e6066, vec3<f32>(_e6067, _e6068, _e6069));
 } else {
 let _e6075 = global_1.member.member_16.member_1;
 let _e6076 = (_e6075 != 0u);
@@ -2330,26 +2330,26 @@ let _e6355 = select(2f, select(0f, _e6347, (_e6328 < 0f)), (_e6329 > 0f));
 let _e6356 = (_e6328 > _e6294);
 let _e6360 = ((_e6351 > _e6286) || ((_e6351 == _e6286) && _e6356));
 let _e6361 = (_e6355 < _e6290);
-phi_12706_ = type_39(select(_e6286, _e6351, _e6360), vec3<f32>(select(select(select(select(_e6055, _e6106.member, _e6132), _e6182.member, _e6208), _e6258.member, _e6284), _e6334.member, _e6360), select(select(select(select(_e6056, _e6106.member_1, _e6132), _e6182.member_1, _e6208), _e6258.member_1, _e6284), _e6334.member_1, _e6360), select(select(select(select(_e6057, _e6106.member_2, _e6132), _e6182.member_2, _e6208), _e6258.member_2, _e6284), _e6334.member_2, _e6360)), select(_e6290, _e6355, _e6361), vec3<f32>(select(select(select(select(_e6060, _e6106.member, _e6133), _e6182.member, _e6209), _e6258.member, _e6285), _e6334.member, _e6361), select(select(select(select(_e6061, _e6106.member_1, _e6133), _e6182.member_1, _e6209), _e6258.member_1, _e6285), _e6334.member_1, _e6361), select(select(select(select(_e6062, _e6106.member_2, _e6133), _e6182.member_2, _e6209), _e6258.member_2, _e6285), _e6334.member_2, _e6361)), select(_e6294, _e6328, _e6356), select(_e6296, _e6329, (_e6329 > _e6296)), vec3<f32>(select(select(select(select(_e6067, _e6106.member, _e6128), _e6182.member, _e6204), _e6258.member, _e6280), _e6334.member, _e6356), select(select(select(select(_e6068, _e6106.member_1, _e6128), _e6182.member_1, _e6204), _e6258.member_1, _e6280), _e6334.member_1, _e6356), select(select(select(select(_e6069, _e6106.member_2, _e6128), _e6182.member_2, _e6204), _e6258.member_2, _e6280), _e6334.member_2, _e6356)));
+phi_12713_ = type_39(select(_e6286, _e6351, _e6360), vec3<f32>(select(select(select(select(_e6055, _e6106.member, _e6132), _e6182.member, _e6208), _e6258.member, _e6284), _e6334.member, _e6360), select(select(select(select(_e6056, _e6106.member_1, _e6132), _e6182.member_1, _e6208), _e6258.member_1, _e6284), _e6334.member_1, _e6360), select(select(select(select(_e6057, _e6106.member_2, _e6132), _e6182.member_2, _e6208), _e6258.member_2, _e6284), _e6334.member_2, _e6360)), select(_e6290, _e6355, _e6361), vec3<f32>(select(select(select(select(_e6060, _e6106.member, _e6133), _e6182.member, _e6209), _e6258.member, _e6285), _e6334.member, _e6361), select(select(select(select(_e6061, _e6106.member_1, _e6133), _e6182.member_1, _e6209), _e6258.member_1, _e6285), _e6334.member_1, _e6361), select(select(select(select(_e6062, _e6106.member_2, _e6133), _e6182.member_2, _e6209), _e6258.member_2, _e6285), _e6334.member_2, _e6361)), select(_e6294, _e6328, _e6356), select(_e6296, _e6329, (_e6329 > _e6296)), vec3<f32>(select(select(select(select(_e6067, _e6106.member, _e6128), _e6182.member, _e6204), _e6258.member, _e6280), _e6334.member, _e6356), select(select(select(select(_e6068, _e6106.member_1, _e6128), _e6182.member_1, _e6204), _e6258.member_1, _e6280), _e6334.member_1, _e6356), select(select(select(select(_e6069, _e6106.member_2, _e6128), _e6182.member_2, _e6204), _e6258.member_2, _e6280), _e6334.member_2, _e6356)));
 }
-let _e6381 = phi_12706_;
+let _e6381 = phi_12713_;
 if _e5647 {
-phi_12718_ = (_e6381.member_2 <= 1f);
+phi_12725_ = (_e6381.member_2 <= 1f);
 } else {
-phi_12718_ = ((_e6381.member <= 1f) && (_e6381.member < _e6381.member_2));
+phi_12725_ = ((_e6381.member <= 1f) && (_e6381.member < _e6381.member_2));
 }
-let _e6389 = phi_12718_;
+let _e6389 = phi_12725_;
 if (!(_e5647) && !(_e6389)) {
-phi_44396_ = type_34(_e5634.member, _e5634.member_1, _e5634.member_2, 3f, _e5634.member_4, _e5634.member_5, _e5634.member_6, _e5634.member_7, _e5634.member_8, _e5634.member_9, _e5634.member_10, _e5634.member_11, _e5634.member_12);
-phi_44397_ = _e5636;
-phi_44399_ = _e5638;
+phi_44417_ = type_34(_e5634.member, _e5634.member_1, _e5634.member_2, 3f, _e5634.member_4, _e5634.member_5, _e5634.member_6, _e5634.member_7, _e5634.member_8, _e5634.member_9, _e5634.member_10, _e5634.member_11, _e5634.member_12);
+phi_44418_ = _e5636;
+phi_44421_ = _e5638;
 } else {
 if _e5647 {
-phi_12733_ = _e6381.member_3;
+phi_12740_ = _e6381.member_3;
 } else {
-phi_12733_ = _e6381.member_1;
+phi_12740_ = _e6381.member_1;
 }
-let _e6396 = phi_12733_;
+let _e6396 = phi_12740_;
 let _e6397 = select(_e6381.member, _e6381.member_2, _e5647);
 let _e6401 = select(1f, _e6397, _e6389);
 let _e6405 = (_e5634.member.x + ((_e5741 - _e5634.member.x) * _e6401));
@@ -2375,7 +2375,7 @@ let _e6491 = global_1.member.member_15.member.member_1;
 let _e6498 = select(_e6486.member, _e6475.member, _e6469);
 let _e6499 = select(_e6486.member_1, _e6475.member_1, _e6469);
 let _e6500 = select(_e6486.member_2, _e6475.member_2, _e6469);
-let _e6510 = (_e6432 || _e6461);
+let _e6511 = (_e6432 || _e6461);
 let _e6517 = ((((_e578.member.member * _e6405) + (_e578.member.member_1 * _e6406)) + (_e578.member.member_2 * _e6407)) + _e578.member_1);
 let _e6523 = ((((_e593.member.member * _e6405) + (_e593.member.member_1 * _e6406)) + (_e593.member.member_2 * _e6407)) + _e593.member_1);
 let _e6529 = ((((_e608.member.member * _e6405) + (_e608.member.member_1 * _e6406)) + (_e608.member.member_2 * _e6407)) + _e608.member_1);
@@ -2388,7 +2388,7 @@ let _e8219 = select(_e5812, _e6529, (_e6529 > _e5812));
 let _e8221 = select(_e5827, _e8219, (_e8219 < _e5827));
 let _e8226 = global_1.member.member_8.member_15;
 if (_e8226 == 0u) {
-phi_13093_ = vec3<f32>(_e8213, _e8217, _e8221);
+phi_13100_ = vec3<f32>(_e8213, _e8217, _e8221);
 } else {
 let _e8228 = (_e8213 + 0.5f);
 let _e8229 = (_e5697 - 1f);
@@ -2405,9 +2405,9 @@ let _e8265 = (_e5707 - 1f);
 let _e8267 = select(0f, _e8264, (_e8264 > 0f));
 let _e8269 = select(_e8265, _e8267, (_e8267 < _e8265));
 let _e8276 = select(0i, select(select(i32(_e8269), i32(-2147483648), (_e8269 < -2147483600f)), 2147483647i, (_e8269 > 2147483500f)), (_e8269 == _e8269));
-phi_13093_ = vec3<f32>(f32((_e8240 - select(0i, 1i, (_e8233 < f32(_e8240))))), f32((_e8258 - select(0i, 1i, (_e8251 < f32(_e8258))))), f32((_e8276 - select(0i, 1i, (_e8269 < f32(_e8276))))));
+phi_13100_ = vec3<f32>(f32((_e8240 - select(0i, 1i, (_e8233 < f32(_e8240))))), f32((_e8258 - select(0i, 1i, (_e8251 < f32(_e8258))))), f32((_e8276 - select(0i, 1i, (_e8269 < f32(_e8276))))));
 }
-let _e8284 = phi_13093_;
+let _e8284 = phi_13100_;
 let _e8287 = select(-1f, _e8284.x, (_e8284.x > -1f));
 let _e8289 = select(_e5697, _e8287, (_e8287 < _e5697));
 let _e8296 = select(0i, select(select(i32(_e8289), i32(-2147483648), (_e8289 < -2147483600f)), 2147483647i, (_e8289 > 2147483500f)), (_e8289 == _e8289));
@@ -2827,7 +2827,7 @@ if _e627 {
 let _e10063 = ((0.5f * (_e9354 - _e9348)) * _e9612);
 let _e10064 = ((0.5f * (_e9366 - _e9360)) * _e9612);
 let _e10065 = ((0.5f * (_e9378 - _e9372)) * _e9612);
-phi_18593_ = type_36(_e9574, vec3<f32>(_e10063, _e10064, _e10065), vec3<f32>((_e10063 * _e9574), (_e10064 * _e9574), (_e10065 * _e9574)));
+phi_18600_ = type_36(_e9574, vec3<f32>(_e10063, _e10064, _e10065), vec3<f32>((_e10063 * _e9574), (_e10064 * _e9574), (_e10065 * _e9574)));
 } else {
 local_35 = _e9348;
 let _e9613 = local_35;
@@ -2976,9 +2976,9 @@ let _e10038 = ((_e9559 + (f32(bitcast<i32>((_e10023 >> bitcast<u32>(12u)))) * _e
 let _e10039 = (_e9754 - _e9683);
 let _e10041 = (_e9896 - _e9825);
 let _e10043 = (_e10038 - _e9967);
-phi_18593_ = type_36(_e9574, vec3<f32>((0.5f * _e10039), (0.5f * _e10041), (0.5f * _e10043)), vec3<f32>((0.25f * (_e10039 * (_e9754 + _e9683))), (0.25f * (_e10041 * (_e9896 + _e9825))), (0.25f * (_e10043 * (_e10038 + _e9967)))));
+phi_18600_ = type_36(_e9574, vec3<f32>((0.5f * _e10039), (0.5f * _e10041), (0.5f * _e10043)), vec3<f32>((0.25f * (_e10039 * (_e9754 + _e9683))), (0.25f * (_e10041 * (_e9896 + _e9825))), (0.25f * (_e10043 * (_e10038 + _e9967)))));
 }
-let _e10073 = phi_18593_;
+let _e10073 = phi_18600_;
 let _e10088 = select(0f, 1f, ((((((_e6517 >= _e5802) && (_e6517 <= _e5817)) && (_e6523 >= _e5807)) && (_e6523 <= _e5822)) && (_e6529 >= _e5812)) && (_e6529 <= _e5827)));
 let _e10090 = (0.5f * (_e9354 - _e9348));
 let _e10092 = (0.5f * (_e9366 - _e9360));
@@ -2995,7 +2995,7 @@ let _e10148 = global_1.member.member_8.member_2.member.member_2;
 let _e10153 = (((_e10100 * _e10090) + (_e10118 * _e10092)) + (_e10136 * _e10094));
 let _e10158 = (((_e10106 * _e10090) + (_e10124 * _e10092)) + (_e10142 * _e10094));
 let _e10163 = (((_e10112 * _e10090) + (_e10130 * _e10092)) + (_e10148 * _e10094));
-phi_21093_ = type_37(_e9342, vec3<f32>((_e10153 * _e10088), (_e10158 * _e10088), (_e10163 * _e10088)), vec3<f32>(_e10153, _e10158, _e10163), _e10073.member, vec3<f32>(((((_e10100 * _e10073.member_2.x) + (_e10118 * _e10073.member_2.y)) + (_e10136 * _e10073.member_2.z)) * _e10088), ((((_e10106 * _e10073.member_2.x) + (_e10124 * _e10073.member_2.y)) + (_e10142 * _e10073.member_2.z)) * _e10088), ((((_e10112 * _e10073.member_2.x) + (_e10130 * _e10073.member_2.y)) + (_e10148 * _e10073.member_2.z)) * _e10088)), vec3<f32>(((((_e10100 * _e10073.member_1.x) + (_e10118 * _e10073.member_1.y)) + (_e10136 * _e10073.member_1.z)) * _e10088), ((((_e10106 * _e10073.member_1.x) + (_e10124 * _e10073.member_1.y)) + (_e10142 * _e10073.member_1.z)) * _e10088), ((((_e10112 * _e10073.member_1.x) + (_e10130 * _e10073.member_1.y)) + (_e10148 * _e10073.member_1.z)) * _e10088)));
+phi_21100_ = type_37(_e9342, vec3<f32>((_e10153 * _e10088), (_e10158 * _e10088), (_e10163 * _e10088)), vec3<f32>(_e10153, _e10158, _e10163), _e10073.member, vec3<f32>(((((_e10100 * _e10073.member_2.x) + (_e10118 * _e10073.member_2.y)) + (_e10136 * _e10073.member_2.z)) * _e10088), ((((_e10106 * _e10073.member_2.x) + (_e10124 * _e10073.member_2.y)) + (_e10142 * _e10073.member_2.z)) * _e10088), ((((_e10112 * _e10073.member_2.x) + (_e10130 * _e10073.member_2.y)) + (_e10148 * _e10073.member_2.z)) * _e10088)), vec3<f32>(((((_e10100 * _e10073.member_1.x) + (_e10118 * _e10073.member_1.y)) + (_e10136 * _e10073.member_1.z)) * _e10088), ((((_e10106 * _e10073.member_1.x) + (_e10124 * _e10073.member_1.y)) + (_e10142 * _e10073.member_1.z)) * _e10088), ((((_e10112 * _e10073.member_1.x) + (_e10130 * _e10073.member_1.y)) + (_e10148 * _e10073.member_1.z)) * _e10088)));
 } else {
 if (_e279.member_2 == 8u) {
 let _e6961 = select(_e5802, _e6517, (_e6517 > _e5802));
@@ -3006,7 +3006,7 @@ let _e6969 = select(_e5812, _e6529, (_e6529 > _e5812));
 let _e6971 = select(_e5827, _e6969, (_e6969 < _e5827));
 let _e6976 = global_1.member.member_8.member_15;
 if (_e6976 == 0u) {
-phi_18940_ = vec3<f32>(_e6963, _e6967, _e6971);
+phi_18947_ = vec3<f32>(_e6963, _e6967, _e6971);
 } else {
 let _e6978 = (_e6963 + 0.5f);
 let _e6979 = (_e5697 - 1f);
@@ -3023,9 +3023,9 @@ let _e7015 = (_e5707 - 1f);
 let _e7017 = select(0f, _e7014, (_e7014 > 0f));
 let _e7019 = select(_e7015, _e7017, (_e7017 < _e7015));
 let _e7026 = select(0i, select(select(i32(_e7019), i32(-2147483648), (_e7019 < -2147483600f)), 2147483647i, (_e7019 > 2147483500f)), (_e7019 == _e7019));
-phi_18940_ = vec3<f32>(f32((_e6990 - select(0i, 1i, (_e6983 < f32(_e6990))))), f32((_e7008 - select(0i, 1i, (_e7001 < f32(_e7008))))), f32((_e7026 - select(0i, 1i, (_e7019 < f32(_e7026))))));
+phi_18947_ = vec3<f32>(f32((_e6990 - select(0i, 1i, (_e6983 < f32(_e6990))))), f32((_e7008 - select(0i, 1i, (_e7001 < f32(_e7008))))), f32((_e7026 - select(0i, 1i, (_e7019 < f32(_e7026))))));
 }
-let _e7034 = phi_18940_;
+let _e7034 = phi_18947_;
 let _e7037 = select(-1f, _e7034.x, (_e7034.x > -1f));
 let _e7039 = select(_e5697, _e7037, (_e7037 < _e5697));
 let _e7046 = select(0i, select(select(i32(_e7039), i32(-2147483648), (_e7039 < -2147483600f)), 2147483647i, (_e7039 > 2147483500f)), (_e7039 == _e7039));
@@ -3363,8 +3363,8 @@ let _e8170 = global_1.member.member_8.member_1.member.member_2;
 let _e8176 = global_1.member.member_8.member_2.member.member;
 let _e8182 = global_1.member.member_8.member_2.member.member_1;
 let _e8188 = global_1.member.member_8.member_2.member.member_2;
-phi_21090_ = select(1e9f, _e8090, (_e8090 < 1e9f));
-phi_21091_ = vec3<f32>((((_e8140 * _e8130) + (_e8158 * _e8132)) + (_e8176 * _e8134)), (((_e8146 * _e8130) + (_e8164 * _e8132)) + (_e8182 * _e8134)), (((_e8152 * _e8130) + (_e8170 * _e8132)) + (_e8188 * _e8134)));
+phi_21097_ = select(1e9f, _e8090, (_e8090 < 1e9f));
+phi_21098_ = vec3<f32>((((_e8140 * _e8130) + (_e8158 * _e8132)) + (_e8176 * _e8134)), (((_e8146 * _e8130) + (_e8164 * _e8132)) + (_e8182 * _e8134)), (((_e8152 * _e8130) + (_e8170 * _e8132)) + (_e8188 * _e8134)));
 } else {
 let _e6532 = select(_e5802, _e6517, (_e6517 > _e5802));
 let _e6534 = select(_e5817, _e6532, (_e6532 < _e5817));
@@ -3374,7 +3374,7 @@ let _e6540 = select(_e5812, _e6529, (_e6529 > _e5812));
 let _e6542 = select(_e5827, _e6540, (_e6540 < _e5827));
 let _e6547 = global_1.member.member_8.member_15;
 if (_e6547 == 0u) {
-phi_20622_ = vec3<f32>(_e6534, _e6538, _e6542);
+phi_20629_ = vec3<f32>(_e6534, _e6538, _e6542);
 } else {
 let _e6549 = (_e6534 + 0.5f);
 let _e6550 = (_e5697 - 1f);
@@ -3391,9 +3391,9 @@ let _e6586 = (_e5707 - 1f);
 let _e6588 = select(0f, _e6585, (_e6585 > 0f));
 let _e6590 = select(_e6586, _e6588, (_e6588 < _e6586));
 let _e6597 = select(0i, select(select(i32(_e6590), i32(-2147483648), (_e6590 < -2147483600f)), 2147483647i, (_e6590 > 2147483500f)), (_e6590 == _e6590));
-phi_20622_ = vec3<f32>(f32((_e6561 - select(0i, 1i, (_e6554 < f32(_e6561))))), f32((_e6579 - select(0i, 1i, (_e6572 < f32(_e6579))))), f32((_e6597 - select(0i, 1i, (_e6590 < f32(_e6597))))));
+phi_20629_ = vec3<f32>(f32((_e6561 - select(0i, 1i, (_e6554 < f32(_e6561))))), f32((_e6579 - select(0i, 1i, (_e6572 < f32(_e6579))))), f32((_e6597 - select(0i, 1i, (_e6590 < f32(_e6597))))));
 }
-let _e6605 = phi_20622_;
+let _e6605 = phi_20629_;
 let _e6608 = select(-1f, _e6605.x, (_e6605.x > -1f));
 let _e6610 = select(_e5697, _e6608, (_e6608 < _e5697));
 let _e6617 = select(0i, select(select(i32(_e6610), i32(-2147483648), (_e6610 < -2147483600f)), 2147483647i, (_e6610 > 2147483500f)), (_e6610 == _e6610));
@@ -3493,16 +3493,16 @@ let _e6952 = global_1.member.member_8.member_7;
 let _e6954 = (((_e6833 + (((_e6884 + (((_e6924 + ((f32(bitcast<i32>(((_e6917 >> bitcast<u32>((_e6925 & 31u))) & 65535u))) - _e6924) * _e6932)) - _e6884) * _e6936)) - _e6833) * _e6941)) - _e6948) * _e6952);
 let _e6955 = -(1e9f);
 let _e6957 = select(_e6955, _e6954, (_e6954 > _e6955));
-phi_21090_ = select(1e9f, _e6957, (_e6957 < 1e9f));
-phi_21091_ = vec3<f32>(0f, 0f, 0f);
+phi_21097_ = select(1e9f, _e6957, (_e6957 < 1e9f));
+phi_21098_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e8206 = phi_21090_;
-let _e8208 = phi_21091_;
-phi_21093_ = type_37(_e8206, vec3<f32>(0f, 0f, 0f), _e8208, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e8206 = phi_21097_;
+let _e8208 = phi_21098_;
+phi_21100_ = type_37(_e8206, vec3<f32>(0f, 0f, 0f), _e8208, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e10215 = phi_21093_;
+let _e10215 = phi_21100_;
 if _e4499 {
-phi_21618_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_21625_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e10219 = global_1.member.member_16.member;
 let _e10230 = ((((_e10219.member.member * _e5634.member.x) + (_e10219.member.member_1 * _e5634.member.y)) + (_e10219.member.member_2 * _e5634.member.z)) + _e10219.member_1);
@@ -3576,9 +3576,9 @@ let _e10437 = global_1.member.member_19.member_1;
 let _e10438 = (_e10437 != 0u);
 let _e10443 = select(0f, _e10431, _e10438);
 let _e10444 = select(1f, _e10433, _e10438);
-phi_21618_ = type_38(type_35(select(_e10431, _e10381, (_e10381 > _e10431)), select(_e10433, _e10383, (_e10383 < _e10433))), type_35(select(_e10443, _e10387, (_e10387 > _e10443)), select(_e10444, _e10389, (_e10389 < _e10444))), ((((1f * select(1f, 0f, (_e10261 && _e10252))) * select(1f, 0f, (_e10320 && _e10311))) * select(1f, 0f, (_e10379 && _e10370))) * select(1f, 0f, (_e10438 && _e10429))));
+phi_21625_ = type_38(type_35(select(_e10431, _e10381, (_e10381 > _e10431)), select(_e10433, _e10383, (_e10383 < _e10433))), type_35(select(_e10443, _e10387, (_e10387 > _e10443)), select(_e10444, _e10389, (_e10389 < _e10444))), ((((1f * select(1f, 0f, (_e10261 && _e10252))) * select(1f, 0f, (_e10320 && _e10311))) * select(1f, 0f, (_e10379 && _e10370))) * select(1f, 0f, (_e10438 && _e10429))));
 }
-let _e10456 = phi_21618_;
+let _e10456 = phi_21625_;
 let _e10459 = (select(0f, (_e6397 - 0.5f), _e6389) * _e5729);
 let _e10463 = (_e5734 + (_e5653 * _e10459));
 let _e10464 = (_e5735 + (_e5655 * _e10459));
@@ -3592,7 +3592,7 @@ let _e10477 = select(_e5827, _e10475, (_e10475 < _e5827));
 let _e10482 = global_1.member.member_8.member_15;
 let _e10483 = (_e10482 == 0u);
 if _e10483 {
-phi_21814_ = vec3<f32>(_e10469, _e10473, _e10477);
+phi_21821_ = vec3<f32>(_e10469, _e10473, _e10477);
 } else {
 let _e10484 = (_e10469 + 0.5f);
 let _e10485 = (_e5697 - 1f);
@@ -3609,9 +3609,9 @@ let _e10521 = (_e5707 - 1f);
 let _e10523 = select(0f, _e10520, (_e10520 > 0f));
 let _e10525 = select(_e10521, _e10523, (_e10523 < _e10521));
 let _e10532 = select(0i, select(select(i32(_e10525), i32(-2147483648), (_e10525 < -2147483600f)), 2147483647i, (_e10525 > 2147483500f)), (_e10525 == _e10525));
-phi_21814_ = vec3<f32>(f32((_e10496 - select(0i, 1i, (_e10489 < f32(_e10496))))), f32((_e10514 - select(0i, 1i, (_e10507 < f32(_e10514))))), f32((_e10532 - select(0i, 1i, (_e10525 < f32(_e10532))))));
+phi_21821_ = vec3<f32>(f32((_e10496 - select(0i, 1i, (_e10489 < f32(_e10496))))), f32((_e10514 - select(0i, 1i, (_e10507 < f32(_e10514))))), f32((_e10532 - select(0i, 1i, (_e10525 < f32(_e10532))))));
 }
-let _e10540 = phi_21814_;
+let _e10540 = phi_21821_;
 let _e10543 = select(-1f, _e10540.x, (_e10540.x > -1f));
 let _e10545 = select(_e5697, _e10543, (_e10543 < _e5697));
 let _e10552 = select(0i, select(select(i32(_e10545), i32(-2147483648), (_e10545 < -2147483600f)), 2147483647i, (_e10545 > 2147483500f)), (_e10545 == _e10545));
@@ -3792,7 +3792,7 @@ let _e11130 = (_e11095 == 0f);
 let _e11147 = (_e5730 * _e10456.member_2);
 let _e11164 = (_e10482 != 0u);
 let _e11165 = select(select(_e10215.member, _e5634.member_2, _e5647), _e10215.member, _e11164);
-let _e11166 = select(1f, select(_e6436, _e6465, _e6469), _e6510);
+let _e11166 = select(1f, select(_e6436, _e6465, _e6469), _e6511);
 let _e11167 = (_e6517 - _e5751);
 let _e11171 = (bitcast<f32>((bitcast<u32>(_e11167) & 2147483647u)) < 1e-12f);
 let _e11173 = (1f / select(_e11167, 1f, _e11171));
@@ -4223,19 +4223,19 @@ let _e12799 = (((1f - _e12787) + (_e12733 * select(0f, _e12789, (_e12789 > 0f)))
 let _e12809 = (_e12734 > 0f);
 let _e12811 = (1f - _e12796);
 let _e12820 = (_e12795 / select(1e-12f, _e12811, (_e12811 > 1e-12f)));
-phi_26620_ = type_43(select(_e12511, _e12796, _e12809), select(_e12512, _e12811, _e12809), _e12461, vec3<f32>(select(_e12520, ((_e12520 * _e12799) + (_e12694 * _e12795)), _e12809), select(_e12522, ((_e12522 * _e12799) + (_e12704 * _e12795)), _e12809), select(_e12524, ((_e12524 * _e12799) + (_e12714 * _e12795)), _e12809)));
-phi_26621_ = type_41(_e12733, _e12734, vec3<f32>(_e12694, _e12704, _e12714), _e12736);
-phi_26622_ = select(0f, select(1f, _e12820, (_e12820 < 1f)), _e12809);
+phi_26627_ = type_43(select(_e12511, _e12796, _e12809), select(_e12512, _e12811, _e12809), _e12461, vec3<f32>(select(_e12520, ((_e12520 * _e12799) + (_e12694 * _e12795)), _e12809), select(_e12522, ((_e12522 * _e12799) + (_e12704 * _e12795)), _e12809), select(_e12524, ((_e12524 * _e12799) + (_e12714 * _e12795)), _e12809)));
+phi_26628_ = type_41(_e12733, _e12734, vec3<f32>(_e12694, _e12704, _e12714), _e12736);
+phi_26629_ = select(0f, select(1f, _e12820, (_e12820 < 1f)), _e12809);
 } else {
-phi_26620_ = type_43(_e12511, _e12512, _e12461, (_e12518 * _e12516));
-phi_26621_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_26622_ = 0f;
+phi_26627_ = type_43(_e12511, _e12512, _e12461, (_e12518 * _e12516));
+phi_26628_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_26629_ = 0f;
 }
-let _e12825 = phi_26620_;
-let _e12827 = phi_26621_;
-let _e12829 = phi_26622_;
+let _e12825 = phi_26627_;
+let _e12827 = phi_26628_;
+let _e12829 = phi_26629_;
 if (_e623 || _e626) {
-phi_42783_ = _e5632;
+phi_42796_ = _e5632;
 } else {
 let _e12832 = select(_e11254, _e10456.member.member, (_e10456.member.member > _e11254));
 let _e12840 = (_e5634.member + vec3<f32>((_e11259 * _e11166), (_e11260 * _e11166), (_e11261 * _e11166)));
@@ -4284,23 +4284,23 @@ let _e13015 = local_61.member;
 let _e13018 = (((2f * _e13015) * _e13014) * _e11278);
 let _e13022 = (_e12827.member_1 > 0f);
 let _e13023 = select(select(select(1f, _e13018, (_e13018 < 1f)), 0f, _e11164), 1f, _e13022);
-let _e13024 = (_e13014 * _e13023);
-let _e13025 = global_1.member.member_12.member_19;
-let _e13029 = (((((_e12949.member.member * _e12941) + (_e12949.member.member_1 * _e12942)) + (_e12949.member.member_2 * _e12943)) + _e12949.member_1) - _e13025.member);
-let _e13030 = (((((_e12964.member.member * _e12941) + (_e12964.member.member_1 * _e12942)) + (_e12964.member.member_2 * _e12943)) + _e12964.member_1) - _e13025.member_1);
-let _e13031 = (_e12990 - _e13025.member_2);
-let _e13036 = (((_e13029 * _e13029) + (_e13030 * _e13030)) + (_e13031 * _e13031));
-let _e13039 = sqrt(select(0f, _e13036, (_e13036 > 0f)));
-let _e13042 = (1f / select(1e-20f, _e13039, (_e13039 > 1e-20f)));
-let _e13046 = select(0f, (_e13029 * _e13042), _e13000);
-let _e13047 = select(0f, (_e13030 * _e13042), _e13000);
-let _e13048 = select(1f, (_e13031 * _e13042), _e13000);
-let _e13053 = global_1.member.member_12.member.member;
-let _e13064 = global_1.member.member_12.member_1.member;
-let _e13078 = global_1.member.member_12.member_2.member;
-let _e13091 = (_e12941 - ((((_e13053.member * _e13046) + (_e13064.member * _e13047)) + (_e13078.member * _e13048)) * _e13024));
-let _e13092 = (_e12942 - ((((_e13053.member_1 * _e13046) + (_e13064.member_1 * _e13047)) + (_e13078.member_1 * _e13048)) * _e13024));
-let _e13093 = (_e12943 - ((((_e13053.member_2 * _e13046) + (_e13064.member_2 * _e13047)) + (_e13078.member_2 * _e13048)) * _e13024));
+let _e13024 = global_1.member.member_12.member_19;
+let _e13028 = (((((_e12949.member.member * _e12941) + (_e12949.member.member_1 * _e12942)) + (_e12949.member.member_2 * _e12943)) + _e12949.member_1) - _e13024.member);
+let _e13029 = (((((_e12964.member.member * _e12941) + (_e12964.member.member_1 * _e12942)) + (_e12964.member.member_2 * _e12943)) + _e12964.member_1) - _e13024.member_1);
+let _e13030 = (_e12990 - _e13024.member_2);
+let _e13035 = (((_e13028 * _e13028) + (_e13029 * _e13029)) + (_e13030 * _e13030));
+let _e13038 = sqrt(select(0f, _e13035, (_e13035 > 0f)));
+let _e13041 = (1f / select(1e-20f, _e13038, (_e13038 > 1e-20f)));
+let _e13045 = select(0f, (_e13028 * _e13041), _e13000);
+let _e13046 = select(0f, (_e13029 * _e13041), _e13000);
+let _e13047 = select(1f, (_e13030 * _e13041), _e13000);
+let _e13052 = global_1.member.member_12.member.member;
+let _e13063 = global_1.member.member_12.member_1.member;
+let _e13077 = global_1.member.member_12.member_2.member;
+let _e13087 = (_e13014 * _e13023);
+let _e13091 = (_e12941 - ((((_e13052.member * _e13045) + (_e13063.member * _e13046)) + (_e13077.member * _e13047)) * _e13087));
+let _e13092 = (_e12942 - ((((_e13052.member_1 * _e13045) + (_e13063.member_1 * _e13046)) + (_e13077.member_1 * _e13047)) * _e13087));
+let _e13093 = (_e12943 - ((((_e13052.member_2 * _e13045) + (_e13063.member_2 * _e13046)) + (_e13077.member_2 * _e13047)) * _e13087));
 let _e13099 = ((((_e578.member.member * _e13091) + (_e578.member.member_1 * _e13092)) + (_e578.member.member_2 * _e13093)) + _e578.member_1);
 let _e13105 = ((((_e593.member.member * _e13091) + (_e593.member.member_1 * _e13092)) + (_e593.member.member_2 * _e13093)) + _e593.member_1);
 let _e13111 = ((((_e608.member.member * _e13091) + (_e608.member.member_1 * _e13092)) + (_e608.member.member_2 * _e13093)) + _e608.member_1);
@@ -4311,7 +4311,7 @@ let _e13119 = select(_e5822, _e13117, (_e13117 < _e5822));
 let _e13121 = select(_e5812, _e13111, (_e13111 > _e5812));
 let _e13123 = select(_e5827, _e13121, (_e13121 < _e5827));
 if _e10483 {
-phi_27210_ = vec3<f32>(_e13115, _e13119, _e13123);
+phi_27223_ = vec3<f32>(_e13115, _e13119, _e13123);
 } else {
 let _e13125 = (_e13115 + 0.5f);
 let _e13126 = (_e5697 - 1f);
@@ -4328,9 +4328,9 @@ let _e13162 = (_e5707 - 1f);
 let _e13164 = select(0f, _e13161, (_e13161 > 0f));
 let _e13166 = select(_e13162, _e13164, (_e13164 < _e13162));
 let _e13173 = select(0i, select(select(i32(_e13166), i32(-2147483648), (_e13166 < -2147483600f)), 2147483647i, (_e13166 > 2147483500f)), (_e13166 == _e13166));
-phi_27210_ = vec3<f32>(f32((_e13137 - select(0i, 1i, (_e13130 < f32(_e13137))))), f32((_e13155 - select(0i, 1i, (_e13148 < f32(_e13155))))), f32((_e13173 - select(0i, 1i, (_e13166 < f32(_e13173))))));
+phi_27223_ = vec3<f32>(f32((_e13137 - select(0i, 1i, (_e13130 < f32(_e13137))))), f32((_e13155 - select(0i, 1i, (_e13148 < f32(_e13155))))), f32((_e13173 - select(0i, 1i, (_e13166 < f32(_e13173))))));
 }
-let _e13181 = phi_27210_;
+let _e13181 = phi_27223_;
 let _e13184 = select(-1f, _e13181.x, (_e13181.x > -1f));
 let _e13186 = select(_e5697, _e13184, (_e13184 < _e5697));
 let _e13193 = select(0i, select(select(i32(_e13186), i32(-2147483648), (_e13186 < -2147483600f)), 2147483647i, (_e13186 > 2147483500f)), (_e13186 == _e13186));
@@ -4423,9 +4423,9 @@ let _e13492 = local_13[2u];
 let _e13497 = (((_e13384 + (((_e13435 + (((_e13475 + ((f32(bitcast<i32>(((_e13468 >> bitcast<u32>((_e13476 & 31u))) & 65535u))) - _e13475) * _e13483)) - _e13435) * _e13487)) - _e13384) * _e13492)) - _e10883) * _e10887);
 let _e13499 = select(_e10890, _e13497, (_e13497 > _e10890));
 let _e13501 = select(1e9f, _e13499, (_e13499 < 1e9f));
-let _e13502 = (_e13024 * _e11278);
+let _e13502 = (_e13087 * _e11278);
 if _e4499 {
-phi_28194_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_28207_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13506 = global_1.member.member_16.member;
 let _e13517 = ((((_e13506.member.member * _e13091) + (_e13506.member.member_1 * _e13092)) + (_e13506.member.member_2 * _e13093)) + _e13506.member_1);
@@ -4499,9 +4499,9 @@ let _e13724 = global_1.member.member_19.member_1;
 let _e13725 = (_e13724 != 0u);
 let _e13730 = select(0f, _e13718, _e13725);
 let _e13731 = select(1f, _e13720, _e13725);
-phi_28194_ = type_38(type_35(select(_e13718, _e13668, (_e13668 > _e13718)), select(_e13720, _e13670, (_e13670 < _e13720))), type_35(select(_e13730, _e13674, (_e13674 > _e13730)), select(_e13731, _e13676, (_e13676 < _e13731))), ((((1f * select(1f, 0f, (_e13548 && _e13539))) * select(1f, 0f, (_e13607 && _e13598))) * select(1f, 0f, (_e13666 && _e13657))) * select(1f, 0f, (_e13725 && _e13716))));
+phi_28207_ = type_38(type_35(select(_e13718, _e13668, (_e13668 > _e13718)), select(_e13720, _e13670, (_e13670 < _e13720))), type_35(select(_e13730, _e13674, (_e13674 > _e13730)), select(_e13731, _e13676, (_e13676 < _e13731))), ((((1f * select(1f, 0f, (_e13548 && _e13539))) * select(1f, 0f, (_e13607 && _e13598))) * select(1f, 0f, (_e13666 && _e13657))) * select(1f, 0f, (_e13725 && _e13716))));
 }
-let _e13743 = phi_28194_;
+let _e13743 = phi_28207_;
 let _e13749 = ((((_e578.member.member * _e12941) + (_e578.member.member_1 * _e12942)) + (_e578.member.member_2 * _e12943)) + _e578.member_1);
 let _e13755 = ((((_e593.member.member * _e12941) + (_e593.member.member_1 * _e12942)) + (_e593.member.member_2 * _e12943)) + _e593.member_1);
 let _e13761 = ((((_e608.member.member * _e12941) + (_e608.member.member_1 * _e12942)) + (_e608.member.member_2 * _e12943)) + _e608.member_1);
@@ -4634,7 +4634,7 @@ let _e14588 = global_3.member[bitcast<u32>(select(0i, _e14583, (_e14583 > 0i)))]
 let _e14598 = (_e14550 + (((bitcast<f32>((((_e14558 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14550) * _e14533));
 let _e14606 = global_3.member[_e11938];
 let _e14615 = global_3.member[_e11958];
-phi_31869_ = type_42((((_e14598 + (((_e14580 + (((bitcast<f32>((((_e14588 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14580) * _e14533)) - _e14598) * (_e14408 - f32(_e14486)))) * (1f - (_e14520 + _e14526))) + (((bitcast<f32>((((_e14606 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14520) + ((bitcast<f32>((((_e14615 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14526))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_31882_ = type_42((((_e14598 + (((_e14580 + (((bitcast<f32>((((_e14588 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14580) * _e14533)) - _e14598) * (_e14408 - f32(_e14486)))) * (1f - (_e14520 + _e14526))) + (((bitcast<f32>((((_e14606 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14520) + ((bitcast<f32>((((_e14615 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14526))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e13501;
 let _e13883 = local_9;
@@ -4747,9 +4747,9 @@ let _e14290 = (_e14220 + (((bitcast<f32>(((_e14235 & 32767u) << bitcast<u32>(13i
 let _e14299 = (_e14227 + (((bitcast<f32>((((_e14235 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14227) * _e14070));
 let _e14307 = global_3.member[_e11938];
 let _e14321 = global_3.member[_e11958];
-phi_31869_ = type_42((((_e14299 + (((_e14267 + (((bitcast<f32>((((_e14275 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14267) * _e14070)) - _e14299) * _e14068)) * _e14072) + (((bitcast<f32>((((_e14307 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>((((_e14321 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063))), vec3<f32>((((_e14290 + (((_e14260 + (((bitcast<f32>(((_e14275 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14260) * _e14070)) - _e14290) * _e14068)) * _e14072) + (((bitcast<f32>(((_e14307 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>(((_e14321 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063))), (((_e14154 + (((_e14124 + (((bitcast<f32>(((_e14139 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14124) * _e14070)) - _e14154) * _e14068)) * _e14072) + (((bitcast<f32>(((_e14171 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>(((_e14185 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063))), (((_e14163 + (((_e14131 + (((bitcast<f32>((((_e14139 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14131) * _e14070)) - _e14163) * _e14068)) * _e14072) + (((bitcast<f32>((((_e14171 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>((((_e14185 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_31882_ = type_42((((_e14299 + (((_e14267 + (((bitcast<f32>((((_e14275 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14267) * _e14070)) - _e14299) * _e14068)) * _e14072) + (((bitcast<f32>((((_e14307 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>((((_e14321 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063))), vec3<f32>((((_e14290 + (((_e14260 + (((bitcast<f32>(((_e14275 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14260) * _e14070)) - _e14290) * _e14068)) * _e14072) + (((bitcast<f32>(((_e14307 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>(((_e14321 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063))), (((_e14154 + (((_e14124 + (((bitcast<f32>(((_e14139 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14124) * _e14070)) - _e14154) * _e14068)) * _e14072) + (((bitcast<f32>(((_e14171 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>(((_e14185 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063))), (((_e14163 + (((_e14131 + (((bitcast<f32>((((_e14139 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14131) * _e14070)) - _e14163) * _e14068)) * _e14072) + (((bitcast<f32>((((_e14171 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14057) + ((bitcast<f32>((((_e14185 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14063)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14630 = phi_31869_;
+let _e14630 = phi_31882_;
 if _e13882 {
 let _e14843 = -((_e14630.member * (_e13502 * _e13867)));
 let _e14845 = select(-87f, _e14843, (_e14843 > -87f));
@@ -4763,7 +4763,7 @@ let _e14865 = f32(_e14864);
 let _e14869 = ((_e14847 - (_e14865 * 0.6933594f)) - (_e14865 * -2.1219444e-4f));
 let _e14889 = ((1f + (_e14869 * (1f + (_e14869 * (0.5f + (_e14869 * (0.16666667f + (_e14869 * (0.041666668f + (_e14869 * (0.008333334f + (_e14869 * (0.001388889f + (_e14869 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14864 + 127i)) << bitcast<u32>(23i))));
 let _e14890 = (1f - _e14889);
-phi_32220_ = type_43(_e14889, _e14890, vec3<f32>(1f, 1f, 1f), (_e14630.member_2 * (_e14890 / select(1e-12f, _e14630.member, (_e14630.member > 1e-12f)))));
+phi_32233_ = type_43(_e14889, _e14890, vec3<f32>(1f, 1f, 1f), (_e14630.member_2 * (_e14890 / select(1e-12f, _e14630.member, (_e14630.member > 1e-12f)))));
 } else {
 let _e14632 = (_e13502 * select(0f, _e13876, (_e13876 > 0f)));
 let _e14636 = -((_e14630.member_1.x * _e14632));
@@ -4808,9 +4808,9 @@ let _e14808 = f32(_e14807);
 let _e14812 = ((_e14790 - (_e14808 * 0.6933594f)) - (_e14808 * -2.1219444e-4f));
 let _e14832 = ((1f + (_e14812 * (1f + (_e14812 * (0.5f + (_e14812 * (0.16666667f + (_e14812 * (0.041666668f + (_e14812 * (0.008333334f + (_e14812 * (0.001388889f + (_e14812 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14807 + 127i)) << bitcast<u32>(23i))));
 let _e14833 = (1f - _e14832);
-phi_32220_ = type_43(_e14832, _e14833, vec3<f32>(((1f + (_e14662 * (1f + (_e14662 * (0.5f + (_e14662 * (0.16666667f + (_e14662 * (0.041666668f + (_e14662 * (0.008333334f + (_e14662 * (0.001388889f + (_e14662 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14657 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14712 * (1f + (_e14712 * (0.5f + (_e14712 * (0.16666667f + (_e14712 * (0.041666668f + (_e14712 * (0.008333334f + (_e14712 * (0.001388889f + (_e14712 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14707 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14762 * (1f + (_e14762 * (0.5f + (_e14762 * (0.16666667f + (_e14762 * (0.041666668f + (_e14762 * (0.008333334f + (_e14762 * (0.001388889f + (_e14762 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14757 + 127i)) << bitcast<u32>(23i))))), (_e14630.member_2 * (_e14833 / select(1e-12f, _e14630.member, (_e14630.member > 1e-12f)))));
+phi_32233_ = type_43(_e14832, _e14833, vec3<f32>(((1f + (_e14662 * (1f + (_e14662 * (0.5f + (_e14662 * (0.16666667f + (_e14662 * (0.041666668f + (_e14662 * (0.008333334f + (_e14662 * (0.001388889f + (_e14662 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14657 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14712 * (1f + (_e14712 * (0.5f + (_e14712 * (0.16666667f + (_e14712 * (0.041666668f + (_e14712 * (0.008333334f + (_e14712 * (0.001388889f + (_e14712 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14707 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14762 * (1f + (_e14762 * (0.5f + (_e14762 * (0.16666667f + (_e14762 * (0.041666668f + (_e14762 * (0.008333334f + (_e14762 * (0.001388889f + (_e14762 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14757 + 127i)) << bitcast<u32>(23i))))), (_e14630.member_2 * (_e14833 / select(1e-12f, _e14630.member, (_e14630.member > 1e-12f)))));
 }
-let _e14898 = phi_32220_;
+let _e14898 = phi_32233_;
 let _e14907 = (_e13091 - (_e12941 - _e13091));
 let _e14908 = (_e13092 - (_e12942 - _e13092));
 let _e14909 = (_e13093 - (_e12943 - _e13093));
@@ -4824,7 +4824,7 @@ let _e14935 = select(_e5822, _e14933, (_e14933 < _e5822));
 let _e14937 = select(_e5812, _e14927, (_e14927 > _e5812));
 let _e14939 = select(_e5827, _e14937, (_e14937 < _e5827));
 if _e10483 {
-phi_32425_ = vec3<f32>(_e14931, _e14935, _e14939);
+phi_32438_ = vec3<f32>(_e14931, _e14935, _e14939);
 } else {
 let _e14941 = (_e14931 + 0.5f);
 let _e14942 = (_e5697 - 1f);
@@ -4841,9 +4841,9 @@ let _e14978 = (_e5707 - 1f);
 let _e14980 = select(0f, _e14977, (_e14977 > 0f));
 let _e14982 = select(_e14978, _e14980, (_e14980 < _e14978));
 let _e14989 = select(0i, select(select(i32(_e14982), i32(-2147483648), (_e14982 < -2147483600f)), 2147483647i, (_e14982 > 2147483500f)), (_e14982 == _e14982));
-phi_32425_ = vec3<f32>(f32((_e14953 - select(0i, 1i, (_e14946 < f32(_e14953))))), f32((_e14971 - select(0i, 1i, (_e14964 < f32(_e14971))))), f32((_e14989 - select(0i, 1i, (_e14982 < f32(_e14989))))));
+phi_32438_ = vec3<f32>(f32((_e14953 - select(0i, 1i, (_e14946 < f32(_e14953))))), f32((_e14971 - select(0i, 1i, (_e14964 < f32(_e14971))))), f32((_e14989 - select(0i, 1i, (_e14982 < f32(_e14989))))));
 }
-let _e14997 = phi_32425_;
+let _e14997 = phi_32438_;
 let _e15000 = select(-1f, _e14997.x, (_e14997.x > -1f));
 let _e15002 = select(_e5697, _e15000, (_e15000 < _e5697));
 let _e15009 = select(0i, select(select(i32(_e15002), i32(-2147483648), (_e15002 < -2147483600f)), 2147483647i, (_e15002 > 2147483500f)), (_e15002 == _e15002));
@@ -4937,7 +4937,7 @@ let _e15313 = (((_e15200 + (((_e15251 + (((_e15291 + ((f32(bitcast<i32>(((_e1528
 let _e15315 = select(_e10890, _e15313, (_e15313 > _e10890));
 let _e15317 = select(1e9f, _e15315, (_e15315 < 1e9f));
 if _e4499 {
-phi_33409_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_33422_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e15321 = global_1.member.member_16.member;
 let _e15332 = ((((_e15321.member.member * _e14907) + (_e15321.member.member_1 * _e14908)) + (_e15321.member.member_2 * _e14909)) + _e15321.member_1);
@@ -5011,9 +5011,9 @@ let _e15539 = global_1.member.member_19.member_1;
 let _e15540 = (_e15539 != 0u);
 let _e15545 = select(0f, _e15533, _e15540);
 let _e15546 = select(1f, _e15535, _e15540);
-phi_33409_ = type_38(type_35(select(_e15533, _e15483, (_e15483 > _e15533)), select(_e15535, _e15485, (_e15485 < _e15535))), type_35(select(_e15545, _e15489, (_e15489 > _e15545)), select(_e15546, _e15491, (_e15491 < _e15546))), ((((1f * select(1f, 0f, (_e15363 && _e15354))) * select(1f, 0f, (_e15422 && _e15413))) * select(1f, 0f, (_e15481 && _e15472))) * select(1f, 0f, (_e15540 && _e15531))));
+phi_33422_ = type_38(type_35(select(_e15533, _e15483, (_e15483 > _e15533)), select(_e15535, _e15485, (_e15485 < _e15535))), type_35(select(_e15545, _e15489, (_e15489 > _e15545)), select(_e15546, _e15491, (_e15491 < _e15546))), ((((1f * select(1f, 0f, (_e15363 && _e15354))) * select(1f, 0f, (_e15422 && _e15413))) * select(1f, 0f, (_e15481 && _e15472))) * select(1f, 0f, (_e15540 && _e15531))));
 }
-let _e15558 = phi_33409_;
+let _e15558 = phi_33422_;
 let _e15559 = (_e13099 - _e14915);
 let _e15563 = (bitcast<f32>((bitcast<u32>(_e15559) & 2147483647u)) < 1e-12f);
 let _e15565 = (1f / select(_e15559, 1f, _e15563));
@@ -5142,7 +5142,7 @@ let _e16381 = global_3.member[bitcast<u32>(select(0i, _e16376, (_e16376 > 0i)))]
 let _e16391 = (_e16343 + (((bitcast<f32>((((_e16351 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16343) * _e16326));
 let _e16399 = global_3.member[_e11938];
 let _e16408 = global_3.member[_e11958];
-phi_37084_ = type_42((((_e16391 + (((_e16373 + (((bitcast<f32>((((_e16381 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16373) * _e16326)) - _e16391) * (_e16201 - f32(_e16279)))) * (1f - (_e16313 + _e16319))) + (((bitcast<f32>((((_e16399 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16313) + ((bitcast<f32>((((_e16408 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16319))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37097_ = type_42((((_e16391 + (((_e16373 + (((bitcast<f32>((((_e16381 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16373) * _e16326)) - _e16391) * (_e16201 - f32(_e16279)))) * (1f - (_e16313 + _e16319))) + (((bitcast<f32>((((_e16399 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16313) + ((bitcast<f32>((((_e16408 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e16319))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e15317;
 let _e15676 = local_3;
@@ -5255,9 +5255,9 @@ let _e16083 = (_e16013 + (((bitcast<f32>(((_e16028 & 32767u) << bitcast<u32>(13i
 let _e16092 = (_e16020 + (((bitcast<f32>((((_e16028 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16020) * _e15863));
 let _e16100 = global_3.member[_e11938];
 let _e16114 = global_3.member[_e11958];
-phi_37084_ = type_42((((_e16092 + (((_e16060 + (((bitcast<f32>((((_e16068 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16060) * _e15863)) - _e16092) * _e15861)) * _e15865) + (((bitcast<f32>((((_e16100 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>((((_e16114 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856))), vec3<f32>((((_e16083 + (((_e16053 + (((bitcast<f32>(((_e16068 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16053) * _e15863)) - _e16083) * _e15861)) * _e15865) + (((bitcast<f32>(((_e16100 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>(((_e16114 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856))), (((_e15947 + (((_e15917 + (((bitcast<f32>(((_e15932 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15917) * _e15863)) - _e15947) * _e15861)) * _e15865) + (((bitcast<f32>(((_e15964 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>(((_e15978 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856))), (((_e15956 + (((_e15924 + (((bitcast<f32>((((_e15932 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15924) * _e15863)) - _e15956) * _e15861)) * _e15865) + (((bitcast<f32>((((_e15964 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>((((_e15978 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37097_ = type_42((((_e16092 + (((_e16060 + (((bitcast<f32>((((_e16068 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16060) * _e15863)) - _e16092) * _e15861)) * _e15865) + (((bitcast<f32>((((_e16100 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>((((_e16114 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856))), vec3<f32>((((_e16083 + (((_e16053 + (((bitcast<f32>(((_e16068 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16053) * _e15863)) - _e16083) * _e15861)) * _e15865) + (((bitcast<f32>(((_e16100 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>(((_e16114 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856))), (((_e15947 + (((_e15917 + (((bitcast<f32>(((_e15932 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15917) * _e15863)) - _e15947) * _e15861)) * _e15865) + (((bitcast<f32>(((_e15964 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>(((_e15978 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856))), (((_e15956 + (((_e15924 + (((bitcast<f32>((((_e15932 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15924) * _e15863)) - _e15956) * _e15861)) * _e15865) + (((bitcast<f32>((((_e15964 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15850) + ((bitcast<f32>((((_e15978 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15856)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e16423 = phi_37084_;
+let _e16423 = phi_37097_;
 if _e13882 {
 let _e16636 = -((_e16423.member * (_e13502 * _e15664)));
 let _e16638 = select(-87f, _e16636, (_e16636 > -87f));
@@ -5271,7 +5271,7 @@ let _e16658 = f32(_e16657);
 let _e16662 = ((_e16640 - (_e16658 * 0.6933594f)) - (_e16658 * -2.1219444e-4f));
 let _e16682 = ((1f + (_e16662 * (1f + (_e16662 * (0.5f + (_e16662 * (0.16666667f + (_e16662 * (0.041666668f + (_e16662 * (0.008333334f + (_e16662 * (0.001388889f + (_e16662 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16657 + 127i)) << bitcast<u32>(23i))));
 let _e16683 = (1f - _e16682);
-phi_37435_ = type_43(_e16682, _e16683, vec3<f32>(1f, 1f, 1f), (_e16423.member_2 * (_e16683 / select(1e-12f, _e16423.member, (_e16423.member > 1e-12f)))));
+phi_37448_ = type_43(_e16682, _e16683, vec3<f32>(1f, 1f, 1f), (_e16423.member_2 * (_e16683 / select(1e-12f, _e16423.member, (_e16423.member > 1e-12f)))));
 } else {
 let _e16425 = (_e13502 * select(0f, _e15673, (_e15673 > 0f)));
 let _e16429 = -((_e16423.member_1.x * _e16425));
@@ -5316,20 +5316,20 @@ let _e16601 = f32(_e16600);
 let _e16605 = ((_e16583 - (_e16601 * 0.6933594f)) - (_e16601 * -2.1219444e-4f));
 let _e16625 = ((1f + (_e16605 * (1f + (_e16605 * (0.5f + (_e16605 * (0.16666667f + (_e16605 * (0.041666668f + (_e16605 * (0.008333334f + (_e16605 * (0.001388889f + (_e16605 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16600 + 127i)) << bitcast<u32>(23i))));
 let _e16626 = (1f - _e16625);
-phi_37435_ = type_43(_e16625, _e16626, vec3<f32>(((1f + (_e16455 * (1f + (_e16455 * (0.5f + (_e16455 * (0.16666667f + (_e16455 * (0.041666668f + (_e16455 * (0.008333334f + (_e16455 * (0.001388889f + (_e16455 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16450 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16505 * (1f + (_e16505 * (0.5f + (_e16505 * (0.16666667f + (_e16505 * (0.041666668f + (_e16505 * (0.008333334f + (_e16505 * (0.001388889f + (_e16505 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16500 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16555 * (1f + (_e16555 * (0.5f + (_e16555 * (0.16666667f + (_e16555 * (0.041666668f + (_e16555 * (0.008333334f + (_e16555 * (0.001388889f + (_e16555 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16550 + 127i)) << bitcast<u32>(23i))))), (_e16423.member_2 * (_e16626 / select(1e-12f, _e16423.member, (_e16423.member > 1e-12f)))));
+phi_37448_ = type_43(_e16625, _e16626, vec3<f32>(((1f + (_e16455 * (1f + (_e16455 * (0.5f + (_e16455 * (0.16666667f + (_e16455 * (0.041666668f + (_e16455 * (0.008333334f + (_e16455 * (0.001388889f + (_e16455 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16450 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16505 * (1f + (_e16505 * (0.5f + (_e16505 * (0.16666667f + (_e16505 * (0.041666668f + (_e16505 * (0.008333334f + (_e16505 * (0.001388889f + (_e16505 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16500 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16555 * (1f + (_e16555 * (0.5f + (_e16555 * (0.16666667f + (_e16555 * (0.041666668f + (_e16555 * (0.008333334f + (_e16555 * (0.001388889f + (_e16555 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16550 + 127i)) << bitcast<u32>(23i))))), (_e16423.member_2 * (_e16626 / select(1e-12f, _e16423.member, (_e16423.member > 1e-12f)))));
 }
-let _e16691 = phi_37435_;
+let _e16691 = phi_37448_;
 let _e16697 = (_e14898.member * _e16691.member);
 let _e16711 = (((_e12933 * _e12933) + (_e12935 * _e12935)) + (_e12937 * _e12937));
 let _e16714 = sqrt(select(0f, _e16711, (_e16711 > 0f)));
 let _e16716 = select(1e-20f, _e16714, (_e16714 > 1e-20f));
 let _e16717 = (_e11647 / _e16716);
-let _e16721 = ((_e12945 - _e13501) / select(1e-20f, _e13024, (_e13024 > 1e-20f)));
+let _e16721 = ((_e12945 - _e13501) / select(1e-20f, _e13087, (_e13087 > 1e-20f)));
 let _e16731 = (_e5634.member.x + (_e13091 - _e12941));
 let _e16732 = (_e5634.member.y + (_e13092 - _e12942));
 let _e16733 = (_e5634.member.z + (_e13093 - _e12943));
 if _e4499 {
-phi_38049_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_38062_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e16737 = global_1.member.member_16.member;
 let _e16748 = ((((_e16737.member.member * _e16731) + (_e16737.member.member_1 * _e16732)) + (_e16737.member.member_2 * _e16733)) + _e16737.member_1);
@@ -5403,9 +5403,9 @@ let _e16955 = global_1.member.member_19.member_1;
 let _e16956 = (_e16955 != 0u);
 let _e16961 = select(0f, _e16949, _e16956);
 let _e16962 = select(1f, _e16951, _e16956);
-phi_38049_ = type_38(type_35(select(_e16949, _e16899, (_e16899 > _e16949)), select(_e16951, _e16901, (_e16901 < _e16951))), type_35(select(_e16961, _e16905, (_e16905 > _e16961)), select(_e16962, _e16907, (_e16907 < _e16962))), ((((1f * select(1f, 0f, (_e16779 && _e16770))) * select(1f, 0f, (_e16838 && _e16829))) * select(1f, 0f, (_e16897 && _e16888))) * select(1f, 0f, (_e16956 && _e16947))));
+phi_38062_ = type_38(type_35(select(_e16949, _e16899, (_e16899 > _e16949)), select(_e16951, _e16901, (_e16901 < _e16951))), type_35(select(_e16961, _e16905, (_e16905 > _e16961)), select(_e16962, _e16907, (_e16907 < _e16962))), ((((1f * select(1f, 0f, (_e16779 && _e16770))) * select(1f, 0f, (_e16838 && _e16829))) * select(1f, 0f, (_e16897 && _e16888))) * select(1f, 0f, (_e16956 && _e16947))));
 }
-let _e16974 = phi_38049_;
+let _e16974 = phi_38062_;
 let _e16980 = ((((_e578.member.member * _e16731) + (_e578.member.member_1 * _e16732)) + (_e578.member.member_2 * _e16733)) + _e578.member_1);
 let _e16986 = ((((_e593.member.member * _e16731) + (_e593.member.member_1 * _e16732)) + (_e593.member.member_2 * _e16733)) + _e593.member_1);
 let _e16992 = ((((_e608.member.member * _e16731) + (_e608.member.member_1 * _e16732)) + (_e608.member.member_2 * _e16733)) + _e608.member_1);
@@ -5512,11 +5512,11 @@ let _e17340 = global_1.member.member_12.member_14.member_1;
 let _e17341 = bitcast<i32>(_e17340);
 let _e17346 = global_1.member.member_12.member_14.member_2;
 if ((((((_e17327 >= 0i) && (_e17327 < _e17335)) && (_e17329 >= 0i)) && (_e17329 < _e17341)) && (_e17325 >= 0i)) && (_e17325 < bitcast<i32>(_e17346))) {
-phi_38756_ = (((((_e17325 * _e17341) + _e17329) * _e17335) + _e17327) * 3i);
+phi_38769_ = (((((_e17325 * _e17341) + _e17329) * _e17335) + _e17327) * 3i);
 } else {
-phi_38756_ = -1i;
+phi_38769_ = -1i;
 }
-let _e17365 = phi_38756_;
+let _e17365 = phi_38769_;
 let _e17366 = (_e17365 + 1i);
 let _e17368 = (bitcast<i32>(_e269) - 1i);
 let _e17370 = select(_e17368, _e17366, (_e17366 < _e17368));
@@ -5565,7 +5565,7 @@ let _e17487 = select(_e17368, _e17485, (_e17485 < _e17368));
 let _e17492 = global_4.member[bitcast<u32>(select(0i, _e17487, (_e17487 > 0i)))];
 let _e17503 = select(1f, (_e17454 + (((_e17475 + (((_e17484 + ((bitcast<f32>(_e17492) - _e17484) * _e17405)) - _e17475) * _e17407)) - _e17454) * _e17409)), _e17410);
 if _e13882 {
-phi_39333_ = vec3(_e17503);
+phi_39346_ = vec3(_e17503);
 } else {
 let _e17508 = global_1.member.member_12.member_12;
 let _e17509 = (_e17508 > 1u);
@@ -5631,12 +5631,12 @@ let _e17682 = bitcast<f32>(_e17681);
 let _e17683 = (_e17653 + 10i);
 let _e17685 = select(_e17368, _e17683, (_e17683 < _e17368));
 let _e17690 = global_4.member[bitcast<u32>(select(0i, _e17685, (_e17685 > 0i)))];
-phi_39333_ = vec3<f32>(_e17503, select(1f, (_e17557 + (((_e17578 + (((_e17587 + ((bitcast<f32>(_e17595) - _e17587) * _e17405)) - _e17578) * _e17407)) - _e17557) * _e17409)), _e17410), select(1f, (_e17652 + (((_e17673 + (((_e17682 + ((bitcast<f32>(_e17690) - _e17682) * _e17405)) - _e17673) * _e17407)) - _e17652) * _e17409)), _e17410));
+phi_39346_ = vec3<f32>(_e17503, select(1f, (_e17557 + (((_e17578 + (((_e17587 + ((bitcast<f32>(_e17595) - _e17587) * _e17405)) - _e17578) * _e17407)) - _e17557) * _e17409)), _e17410), select(1f, (_e17652 + (((_e17673 + (((_e17682 + ((bitcast<f32>(_e17690) - _e17682) * _e17405)) - _e17673) * _e17407)) - _e17652) * _e17409)), _e17410));
 }
-let _e17704 = phi_39333_;
-let _e17705 = (_e17228 - _e13025.member);
-let _e17706 = (_e17234 - _e13025.member_1);
-let _e17707 = (_e17240 - _e13025.member_2);
+let _e17704 = phi_39346_;
+let _e17705 = (_e17228 - _e13024.member);
+let _e17706 = (_e17234 - _e13024.member_1);
+let _e17707 = (_e17240 - _e13024.member_2);
 let _e17712 = (((_e17705 * _e17705) + (_e17706 * _e17706)) + (_e17707 * _e17707));
 let _e17715 = sqrt(select(0f, _e17712, (_e17712 > 0f)));
 let _e17718 = (1f / select(1e-20f, _e17715, (_e17715 > 1e-20f)));
@@ -5701,13 +5701,13 @@ let _e17973 = (_e17722 + select(0f, ((_e17843 + (((_e17899 + (((_e17916 + ((f32(
 let _e17976 = (_e17723 + select(0f, ((_e17846 + (((_e17902 + (((_e17927 + ((select(_e17947, -(_e17947), ((_e17937 >> bitcast<u32>(31i)) != 0u)) - _e17927) * _e17405)) - _e17902) * _e17407)) - _e17846) * _e17409)) * 6.151953e-5f), _e17410));
 let _e17980 = (1f - ((_e17973 * _e17973) + (_e17976 * _e17976)));
 let _e17982 = select(1e-4f, _e17980, (_e17980 > 1e-4f));
-phi_39740_ = vec3<f32>(_e17973, _e17976, sqrt(select(0f, _e17982, (_e17982 > 0f))));
+phi_39753_ = vec3<f32>(_e17973, _e17976, sqrt(select(0f, _e17982, (_e17982 > 0f))));
 } else {
-phi_39740_ = vec3<f32>(_e17722, _e17723, select(1f, (_e17707 * _e17718), _e13000));
+phi_39753_ = vec3<f32>(_e17722, _e17723, select(1f, (_e17707 * _e17718), _e13000));
 }
-let _e17988 = phi_39740_;
+let _e17988 = phi_39753_;
 if _e5399 {
-phi_39834_ = 1f;
+phi_39847_ = 1f;
 } else {
 let _e17994 = global_1.member.member_12.member_20.member;
 let _e18002 = (((_e17994.member * _e17705) + (_e17994.member_1 * _e17706)) + (_e17994.member_2 * _e17707));
@@ -5720,23 +5720,23 @@ let _e18030 = global_1.member.member_12.member_20.member_2;
 let _e18031 = ((_e18024 - (sqrt(select(0f, _e18013, (_e18013 > 0f))) / select(1e-20f, _e18002, (_e18002 > 1e-20f)))) * _e18030);
 let _e18033 = select(0f, _e18031, (_e18031 > 0f));
 let _e18035 = select(1f, _e18033, (_e18033 < 1f));
-phi_39834_ = select(1f, select(0f, ((_e18035 * _e18035) * (3f - (2f * _e18035))), (_e18002 > 0f)), (_e18030 > 0f));
+phi_39847_ = select(1f, select(0f, ((_e18035 * _e18035) * (3f - (2f * _e18035))), (_e18002 > 0f)), (_e18030 > 0f));
 }
-let _e18045 = phi_39834_;
+let _e18045 = phi_39847_;
 let _e18050 = global_1.member.member_11.member_1;
 if _e5399 {
-phi_39876_ = 1f;
+phi_39889_ = 1f;
 } else {
-phi_39876_ = (1f / select(1e-12f, _e17712, (_e17712 > 1e-12f)));
+phi_39889_ = (1f / select(1e-12f, _e17712, (_e17712 > 1e-12f)));
 }
-let _e18064 = phi_39876_;
+let _e18064 = phi_39889_;
 let _e18065 = (_e18064 * select(_e18045, 1f, (_e628 && _e17410)));
-let _e18077 = ((_e13053.member * _e17988.x) + (_e13064.member * _e17988.y));
-let _e18078 = ((_e13053.member_1 * _e17988.x) + (_e13064.member_1 * _e17988.y));
-let _e18079 = ((_e13053.member_2 * _e17988.x) + (_e13064.member_2 * _e17988.y));
-let _e18081 = (_e13078.member * _e17988.z);
-let _e18082 = (_e13078.member_1 * _e17988.z);
-let _e18083 = (_e13078.member_2 * _e17988.z);
+let _e18077 = ((_e13052.member * _e17988.x) + (_e13063.member * _e17988.y));
+let _e18078 = ((_e13052.member_1 * _e17988.x) + (_e13063.member_1 * _e17988.y));
+let _e18079 = ((_e13052.member_2 * _e17988.x) + (_e13063.member_2 * _e17988.y));
+let _e18081 = (_e13077.member * _e17988.z);
+let _e18082 = (_e13077.member_1 * _e17988.z);
+let _e18083 = (_e13077.member_2 * _e17988.z);
 let _e18085 = (_e18077 + _e18081);
 let _e18086 = (_e18078 + _e18082);
 let _e18087 = (_e18079 + _e18083);
@@ -5750,7 +5750,7 @@ let _e18101 = select(_e5822, _e18099, (_e18099 < _e5822));
 let _e18103 = select(_e5812, _e13761, (_e13761 > _e5812));
 let _e18105 = select(_e5827, _e18103, (_e18103 < _e5827));
 if _e10483 {
-phi_40107_ = vec3<f32>(_e18097, _e18101, _e18105);
+phi_40120_ = vec3<f32>(_e18097, _e18101, _e18105);
 } else {
 let _e18107 = (_e18097 + 0.5f);
 let _e18108 = (_e5697 - 1f);
@@ -5767,9 +5767,9 @@ let _e18144 = (_e5707 - 1f);
 let _e18146 = select(0f, _e18143, (_e18143 > 0f));
 let _e18148 = select(_e18144, _e18146, (_e18146 < _e18144));
 let _e18155 = select(0i, select(select(i32(_e18148), i32(-2147483648), (_e18148 < -2147483600f)), 2147483647i, (_e18148 > 2147483500f)), (_e18148 == _e18148));
-phi_40107_ = vec3<f32>(f32((_e18119 - select(0i, 1i, (_e18112 < f32(_e18119))))), f32((_e18137 - select(0i, 1i, (_e18130 < f32(_e18137))))), f32((_e18155 - select(0i, 1i, (_e18148 < f32(_e18155))))));
+phi_40120_ = vec3<f32>(f32((_e18119 - select(0i, 1i, (_e18112 < f32(_e18119))))), f32((_e18137 - select(0i, 1i, (_e18130 < f32(_e18137))))), f32((_e18155 - select(0i, 1i, (_e18148 < f32(_e18155))))));
 }
-let _e18163 = phi_40107_;
+let _e18163 = phi_40120_;
 let _e18166 = select(-1f, _e18163.x, (_e18163.x > -1f));
 let _e18168 = select(_e5697, _e18166, (_e18166 < _e5697));
 let _e18175 = select(0i, select(select(i32(_e18168), i32(-2147483648), (_e18168 < -2147483600f)), 2147483647i, (_e18168 > 2147483500f)), (_e18168 == _e18168));
@@ -6135,11 +6135,11 @@ let _e19419 = select(0i, select(select(i32(_e19412), i32(-2147483648), (_e19412 
 let _e19423 = (_e19419 - select(0i, 1i, (_e19412 < f32(_e19419))));
 let _e19424 = f32(_e19423);
 let _e19428 = ((_e19406 - (_e19424 * 0.6933594f)) - (_e19424 * -2.1219444e-4f));
-phi_41974_ = (select(((_e19400 - ((1f + (_e19428 * (1f + (_e19428 * (0.5f + (_e19428 * (0.16666667f + (_e19428 * (0.041666668f + (_e19428 * (0.008333334f + (_e19428 * (0.001388889f + (_e19428 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e19423 + 127i)) << bitcast<u32>(23i))))) / select(_e19349, 1f, _e19353)), (_e19400 * (1f - (0.5f * _e19349))), _e19353) * (_e12888 / _e17170));
+phi_41987_ = (select(((_e19400 - ((1f + (_e19428 * (1f + (_e19428 * (0.5f + (_e19428 * (0.16666667f + (_e19428 * (0.041666668f + (_e19428 * (0.008333334f + (_e19428 * (0.001388889f + (_e19428 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e19423 + 127i)) << bitcast<u32>(23i))))) / select(_e19349, 1f, _e19353)), (_e19400 * (1f - (0.5f * _e19349))), _e19353) * (_e12888 / _e17170));
 } else {
-phi_41974_ = _e18092;
+phi_41987_ = _e18092;
 }
-let _e19459 = phi_41974_;
+let _e19459 = phi_41987_;
 let _e19461 = select(_e10215.member, _e11165, (_e11165 < _e10215.member));
 let _e19463 = select(_e10215.member, _e11165, (_e11165 > _e10215.member));
 let _e19466 = (_e15317 + ((_e13501 - _e15317) * 0f));
@@ -6176,14 +6176,14 @@ let _e19595 = (_e13501 + ((_e19592 - _e13501) * 0f));
 let _e19645 = (263219i + ((((((select(0i, 1i, (_e19595 >= _e19474)) + select(0i, 1i, (_e19595 >= _e19484))) + (select(0i, 1i, (_e19595 >= _e19495)) + select(0i, 1i, (_e19595 >= _e19505)))) + ((select(0i, 1i, (_e19595 >= _e19517)) + select(0i, 1i, (_e19595 >= _e19527))) + (select(0i, 1i, (_e19595 >= _e19538)) + select(0i, 1i, (_e19595 >= _e19548))))) * 9i) + (((select(0i, 1i, (_e19592 >= _e19474)) + select(0i, 1i, (_e19592 >= _e19484))) + (select(0i, 1i, (_e19592 >= _e19495)) + select(0i, 1i, (_e19592 >= _e19505)))) + ((select(0i, 1i, (_e19592 >= _e19517)) + select(0i, 1i, (_e19592 >= _e19527))) + (select(0i, 1i, (_e19592 >= _e19538)) + select(0i, 1i, (_e19592 >= _e19548)))))) * 6i));
 let _e19647 = select(_e10898, _e19645, (_e19645 < _e10898));
 let _e19652 = global_3.member[bitcast<u32>(select(0i, _e19647, (_e19647 > 0i)))];
-phi_42773_ = (select(_e18092, _e19459, _e13022) * select((bitcast<f32>(_e19587) * bitcast<f32>(_e19652)), 1f, (select(_e15664, _e13867, (_e13867 < _e15664)) < 1f)));
+phi_42786_ = (select(_e18092, _e19459, _e13022) * select((bitcast<f32>(_e19587) * bitcast<f32>(_e19652)), 1f, (select(_e15664, _e13867, (_e13867 < _e15664)) < 1f)));
 } else {
-phi_42773_ = _e18092;
+phi_42786_ = _e18092;
 }
-let _e19662 = phi_42773_;
-phi_42783_ = type_40(vec3<f32>((((_e17704.x * _e18050.member) * _e18065) * ((_e14898.member_2.x * _e16691.member_2.x) * _e19662)), (((_e17704.y * _e18050.member_1) * _e18065) * ((_e14898.member_2.y * _e16691.member_2.y) * _e19662)), (((_e17704.z * _e18050.member_2) * _e18065) * ((_e14898.member_2.z * _e16691.member_2.z) * _e19662))), (vec3<f32>(_e18077, _e18078, _e18079) + vec3<f32>(_e18081, _e18082, _e18083)));
+let _e19662 = phi_42786_;
+phi_42796_ = type_40(vec3<f32>((((_e17704.x * _e18050.member) * _e18065) * ((_e14898.member_2.x * _e16691.member_2.x) * _e19662)), (((_e17704.y * _e18050.member_1) * _e18065) * ((_e14898.member_2.y * _e16691.member_2.y) * _e19662)), (((_e17704.z * _e18050.member_2) * _e18065) * ((_e14898.member_2.z * _e16691.member_2.z) * _e19662))), (vec3<f32>(_e18077, _e18078, _e18079) + vec3<f32>(_e18081, _e18082, _e18083)));
 }
-let _e19672 = phi_42783_;
+let _e19672 = phi_42796_;
 let _e19681 = (((_e19672.member_1.x * _e19672.member_1.x) + (_e19672.member_1.y * _e19672.member_1.y)) + (_e19672.member_1.z * _e19672.member_1.z));
 let _e19684 = sqrt(select(0f, _e19681, (_e19681 > 0f)));
 let _e19686 = ((_e4497 & 8u) != 0u);
@@ -6196,19 +6196,19 @@ let _e19725 = sqrt(select(0f, _e19722, (_e19722 > 0f)));
 let _e19731 = (_e19725 * _e19684);
 let _e19734 = ((((_e10215.member_2.x * _e19672.member_1.x) + (_e10215.member_2.y * _e19672.member_1.y)) + (_e10215.member_2.z * _e19672.member_1.z)) / select(1e-20f, _e19731, (_e19731 > 1e-20f)));
 if ((((_e10215.member_2.x * _e5634.member_1.x) + (_e10215.member_2.y * _e5634.member_1.y)) + (_e10215.member_2.z * _e5634.member_1.z)) > 0f) {
-phi_42915_ = _e19734;
+phi_42928_ = _e19734;
 } else {
-phi_42915_ = -(_e19734);
+phi_42928_ = -(_e19734);
 }
-let _e19743 = phi_42915_;
+let _e19743 = phi_42928_;
 let _e19751 = ((_e19725 / _e5726) * (1f / 0.015625f));
 let _e19753 = select(0f, _e19751, (_e19751 > 0f));
 let _e19755 = select(1f, _e19753, (_e19753 < 1f));
-phi_42958_ = (1f + ((((_e19743 + bitcast<f32>((bitcast<u32>(_e19743) & 2147483647u))) * 0.5f) - 1f) * select(_e12829, _e19755, (_e19755 > _e12829))));
+phi_42971_ = (1f + ((((_e19743 + bitcast<f32>((bitcast<u32>(_e19743) & 2147483647u))) * 0.5f) - 1f) * select(_e12829, _e19755, (_e19755 > _e12829))));
 } else {
-phi_42958_ = 1f;
+phi_42971_ = 1f;
 }
-let _e19762 = phi_42958_;
+let _e19762 = phi_42971_;
 let _e19769 = global_1.member.member_20.member;
 let _e19776 = (1f - _e5634.member_6);
 let _e19794 = (_e5634.member_5.x + (((_e5634.member_7.x * _e19702) * ((_e12825.member_3.x * (((_e19672.member.x * _e19694) * _e19762) + _e19769.member)) + 0f)) * _e19776));
@@ -6296,112 +6296,112 @@ let _e20196 = select(0f, _e20194, (_e20194 > 0f));
 let _e20198 = select(1f, _e20196, (_e20196 < 1f));
 if _e6469 {
 let _e20208 = global_1.member.member_12.member_18.member_4;
-phi_43406_ = _e20208;
+phi_43427_ = _e20208;
 } else {
 let _e20203 = global_1.member.member_12.member_18.member_3;
-phi_43406_ = _e20203;
+phi_43427_ = _e20203;
 }
-let _e20210 = phi_43406_;
+let _e20210 = phi_43427_;
 let _e20214 = ((bitcast<i32>(_e20210) + (_e20186 * _e20039)) + _e20169);
 let _e20215 = (_e20039 * _e20046);
 let _e20217 = (bitcast<i32>(_e269) - 1i);
 let _e20219 = select(_e20217, _e20214, (_e20214 < _e20217));
-let _e20225 = global_4.member[bitcast<u32>(select(0i, _e20219, (_e20219 > 0i)))];
-let _e20226 = bitcast<f32>(_e20225);
-let _e20227 = (_e20214 + 1i);
-let _e20229 = select(_e20217, _e20227, (_e20227 < _e20217));
-let _e20235 = global_4.member[bitcast<u32>(select(0i, _e20229, (_e20229 > 0i)))];
-let _e20239 = (_e20226 + ((bitcast<f32>(_e20235) - _e20226) * _e20192));
-let _e20240 = (_e20214 + _e20039);
-let _e20242 = select(_e20217, _e20240, (_e20240 < _e20217));
-let _e20248 = global_4.member[bitcast<u32>(select(0i, _e20242, (_e20242 > 0i)))];
-let _e20249 = bitcast<f32>(_e20248);
-let _e20250 = (_e20240 + 1i);
-let _e20252 = select(_e20217, _e20250, (_e20250 < _e20217));
-let _e20258 = global_4.member[bitcast<u32>(select(0i, _e20252, (_e20252 > 0i)))];
-let _e20265 = (_e20239 + (((_e20249 + ((bitcast<f32>(_e20258) - _e20249) * _e20192)) - _e20239) * _e20198));
-let _e20266 = (_e20214 + _e20215);
-let _e20268 = select(_e20217, _e20266, (_e20266 < _e20217));
-let _e20274 = global_4.member[bitcast<u32>(select(0i, _e20268, (_e20268 > 0i)))];
-let _e20275 = bitcast<f32>(_e20274);
-let _e20276 = (_e20266 + 1i);
-let _e20278 = select(_e20217, _e20276, (_e20276 < _e20217));
-let _e20284 = global_4.member[bitcast<u32>(select(0i, _e20278, (_e20278 > 0i)))];
-let _e20288 = (_e20275 + ((bitcast<f32>(_e20284) - _e20275) * _e20192));
-let _e20289 = (_e20266 + _e20039);
-let _e20291 = select(_e20217, _e20289, (_e20289 < _e20217));
-let _e20297 = global_4.member[bitcast<u32>(select(0i, _e20291, (_e20291 > 0i)))];
-let _e20298 = bitcast<f32>(_e20297);
-let _e20299 = (_e20289 + 1i);
-let _e20301 = select(_e20217, _e20299, (_e20299 < _e20217));
-let _e20307 = global_4.member[bitcast<u32>(select(0i, _e20301, (_e20301 > 0i)))];
-let _e20314 = (_e20288 + (((_e20298 + ((bitcast<f32>(_e20307) - _e20298) * _e20192)) - _e20288) * _e20198));
-let _e20316 = (_e20214 + (2i * _e20215));
-let _e20318 = select(_e20217, _e20316, (_e20316 < _e20217));
-let _e20324 = global_4.member[bitcast<u32>(select(0i, _e20318, (_e20318 > 0i)))];
-let _e20325 = bitcast<f32>(_e20324);
-let _e20326 = (_e20316 + 1i);
-let _e20328 = select(_e20217, _e20326, (_e20326 < _e20217));
-let _e20334 = global_4.member[bitcast<u32>(select(0i, _e20328, (_e20328 > 0i)))];
-let _e20338 = (_e20325 + ((bitcast<f32>(_e20334) - _e20325) * _e20192));
-let _e20339 = (_e20316 + _e20039);
-let _e20341 = select(_e20217, _e20339, (_e20339 < _e20217));
-let _e20347 = global_4.member[bitcast<u32>(select(0i, _e20341, (_e20341 > 0i)))];
-let _e20348 = bitcast<f32>(_e20347);
-let _e20349 = (_e20339 + 1i);
-let _e20351 = select(_e20217, _e20349, (_e20349 < _e20217));
-let _e20357 = global_4.member[bitcast<u32>(select(0i, _e20351, (_e20351 > 0i)))];
-let _e20364 = (_e20338 + (((_e20348 + ((bitcast<f32>(_e20357) - _e20348) * _e20192)) - _e20338) * _e20198));
+let _e20224 = global_4.member[bitcast<u32>(select(0i, _e20219, (_e20219 > 0i)))];
+let _e20225 = bitcast<f32>(_e20224);
+let _e20226 = (_e20214 + 1i);
+let _e20228 = select(_e20217, _e20226, (_e20226 < _e20217));
+let _e20233 = global_4.member[bitcast<u32>(select(0i, _e20228, (_e20228 > 0i)))];
+let _e20237 = (_e20225 + ((bitcast<f32>(_e20233) - _e20225) * _e20192));
+let _e20238 = (_e20214 + _e20039);
+let _e20240 = select(_e20217, _e20238, (_e20238 < _e20217));
+let _e20245 = global_4.member[bitcast<u32>(select(0i, _e20240, (_e20240 > 0i)))];
+let _e20246 = bitcast<f32>(_e20245);
+let _e20247 = (_e20238 + 1i);
+let _e20249 = select(_e20217, _e20247, (_e20247 < _e20217));
+let _e20254 = global_4.member[bitcast<u32>(select(0i, _e20249, (_e20249 > 0i)))];
+let _e20261 = (_e20237 + (((_e20246 + ((bitcast<f32>(_e20254) - _e20246) * _e20192)) - _e20237) * _e20198));
+let _e20262 = (_e20214 + _e20215);
+let _e20264 = select(_e20217, _e20262, (_e20262 < _e20217));
+let _e20269 = global_4.member[bitcast<u32>(select(0i, _e20264, (_e20264 > 0i)))];
+let _e20270 = bitcast<f32>(_e20269);
+let _e20271 = (_e20262 + 1i);
+let _e20273 = select(_e20217, _e20271, (_e20271 < _e20217));
+let _e20278 = global_4.member[bitcast<u32>(select(0i, _e20273, (_e20273 > 0i)))];
+let _e20282 = (_e20270 + ((bitcast<f32>(_e20278) - _e20270) * _e20192));
+let _e20283 = (_e20262 + _e20039);
+let _e20285 = select(_e20217, _e20283, (_e20283 < _e20217));
+let _e20290 = global_4.member[bitcast<u32>(select(0i, _e20285, (_e20285 > 0i)))];
+let _e20291 = bitcast<f32>(_e20290);
+let _e20292 = (_e20283 + 1i);
+let _e20294 = select(_e20217, _e20292, (_e20292 < _e20217));
+let _e20299 = global_4.member[bitcast<u32>(select(0i, _e20294, (_e20294 > 0i)))];
+let _e20306 = (_e20282 + (((_e20291 + ((bitcast<f32>(_e20299) - _e20291) * _e20192)) - _e20282) * _e20198));
+let _e20308 = (_e20214 + (2i * _e20215));
+let _e20310 = select(_e20217, _e20308, (_e20308 < _e20217));
+let _e20315 = global_4.member[bitcast<u32>(select(0i, _e20310, (_e20310 > 0i)))];
+let _e20316 = bitcast<f32>(_e20315);
+let _e20317 = (_e20308 + 1i);
+let _e20319 = select(_e20217, _e20317, (_e20317 < _e20217));
+let _e20324 = global_4.member[bitcast<u32>(select(0i, _e20319, (_e20319 > 0i)))];
+let _e20328 = (_e20316 + ((bitcast<f32>(_e20324) - _e20316) * _e20192));
+let _e20329 = (_e20308 + _e20039);
+let _e20331 = select(_e20217, _e20329, (_e20329 < _e20217));
+let _e20336 = global_4.member[bitcast<u32>(select(0i, _e20331, (_e20331 > 0i)))];
+let _e20337 = bitcast<f32>(_e20336);
+let _e20338 = (_e20329 + 1i);
+let _e20340 = select(_e20217, _e20338, (_e20338 < _e20217));
+let _e20345 = global_4.member[bitcast<u32>(select(0i, _e20340, (_e20340 > 0i)))];
+let _e20352 = (_e20328 + (((_e20337 + ((bitcast<f32>(_e20345) - _e20337) * _e20192)) - _e20328) * _e20198));
 if _e5399 {
-phi_43774_ = vec3<f32>(_e20265, _e20314, _e20364);
+phi_43795_ = vec3<f32>(_e20261, _e20306, _e20352);
 } else {
 if _e5399 {
-phi_43742_ = 1f;
+phi_43763_ = 1f;
 } else {
-let _e20370 = global_1.member.member_12.member_20.member;
-let _e20378 = (((_e20370.member * _e19879) + (_e20370.member_1 * _e19880)) + (_e20370.member_2 * _e19881));
-let _e20382 = (_e19879 - (_e20370.member * _e20378));
-let _e20383 = (_e19880 - (_e20370.member_1 * _e20378));
-let _e20384 = (_e19881 - (_e20370.member_2 * _e20378));
-let _e20389 = (((_e20382 * _e20382) + (_e20383 * _e20383)) + (_e20384 * _e20384));
-let _e20400 = global_1.member.member_12.member_20.member_1;
-let _e20406 = global_1.member.member_12.member_20.member_2;
-let _e20407 = ((_e20400 - (sqrt(select(0f, _e20389, (_e20389 > 0f))) / select(1e-20f, _e20378, (_e20378 > 1e-20f)))) * _e20406);
-let _e20409 = select(0f, _e20407, (_e20407 > 0f));
-let _e20411 = select(1f, _e20409, (_e20409 < 1f));
-phi_43742_ = select(1f, select(0f, ((_e20411 * _e20411) * (3f - (2f * _e20411))), (_e20378 > 0f)), (_e20406 > 0f));
+let _e20358 = global_1.member.member_12.member_20.member;
+let _e20366 = (((_e20358.member * _e19879) + (_e20358.member_1 * _e19880)) + (_e20358.member_2 * _e19881));
+let _e20370 = (_e19879 - (_e20358.member * _e20366));
+let _e20371 = (_e19880 - (_e20358.member_1 * _e20366));
+let _e20372 = (_e19881 - (_e20358.member_2 * _e20366));
+let _e20377 = (((_e20370 * _e20370) + (_e20371 * _e20371)) + (_e20372 * _e20372));
+let _e20388 = global_1.member.member_12.member_20.member_1;
+let _e20394 = global_1.member.member_12.member_20.member_2;
+let _e20395 = ((_e20388 - (sqrt(select(0f, _e20377, (_e20377 > 0f))) / select(1e-20f, _e20366, (_e20366 > 1e-20f)))) * _e20394);
+let _e20397 = select(0f, _e20395, (_e20395 > 0f));
+let _e20399 = select(1f, _e20397, (_e20397 < 1f));
+phi_43763_ = select(1f, select(0f, ((_e20399 * _e20399) * (3f - (2f * _e20399))), (_e20366 > 0f)), (_e20394 > 0f));
 }
-let _e20421 = phi_43742_;
-let _e20423 = select(0f, 1f, (_e19881 > 0f));
-let _e20427 = ((_e20265 * _e20423) + _e20421);
-let _e20428 = ((_e20314 * _e20423) + _e20421);
-let _e20429 = ((_e20364 * _e20423) + _e20421);
-phi_43774_ = vec3<f32>(select(0f, _e20427, (_e20427 > 0f)), select(0f, _e20428, (_e20428 > 0f)), select(0f, _e20429, (_e20429 > 0f)));
+let _e20409 = phi_43763_;
+let _e20411 = select(0f, 1f, (_e19881 > 0f));
+let _e20415 = ((_e20261 * _e20411) + _e20409);
+let _e20416 = ((_e20306 * _e20411) + _e20409);
+let _e20417 = ((_e20352 * _e20411) + _e20409);
+phi_43795_ = vec3<f32>(select(0f, _e20415, (_e20415 > 0f)), select(0f, _e20416, (_e20416 > 0f)), select(0f, _e20417, (_e20417 > 0f)));
 }
-let _e20438 = phi_43774_;
+let _e20426 = phi_43795_;
 if _e5399 {
-phi_43800_ = 1f;
+phi_43821_ = 1f;
 } else {
-phi_43800_ = (1f / select(1e-12f, _e19886, (_e19886 > 1e-12f)));
+phi_43821_ = (1f / select(1e-12f, _e19886, (_e19886 > 1e-12f)));
 }
-let _e20443 = phi_43800_;
-let _e20453 = global_1.member.member_11.member_1;
-phi_44068_ = type_40(vec3<f32>((_e20453.member * (_e20438.x * _e20443)), (_e20453.member_1 * (_e20438.y * _e20443)), (_e20453.member_2 * (_e20438.z * _e20443))), _e19937);
+let _e20431 = phi_43821_;
+let _e20441 = global_1.member.member_11.member_1;
+phi_44089_ = type_40(vec3<f32>((_e20441.member * (_e20426.x * _e20431)), (_e20441.member_1 * (_e20426.y * _e20431)), (_e20441.member_2 * (_e20426.z * _e20431))), _e19937);
 } else {
 if _e5399 {
 let _e20017 = global_1.member.member_11.member_1;
 let _e20025 = global_1.member.member_11.member;
-phi_44067_ = type_40(vec3<f32>(_e20017.member, _e20017.member_1, _e20017.member_2), vec3<f32>(_e20025.member, _e20025.member_1, _e20025.member_2));
+phi_44088_ = type_40(vec3<f32>(_e20017.member, _e20017.member_1, _e20017.member_2), vec3<f32>(_e20025.member, _e20025.member_1, _e20025.member_2));
 } else {
 let _e19943 = global_1.member.member_11.member_1;
 if _e5399 {
-phi_43911_ = 1f;
+phi_43932_ = 1f;
 } else {
-phi_43911_ = (1f / select(1e-12f, _e19886, (_e19886 > 1e-12f)));
+phi_43932_ = (1f / select(1e-12f, _e19886, (_e19886 > 1e-12f)));
 }
-let _e19951 = phi_43911_;
+let _e19951 = phi_43932_;
 if _e5399 {
-phi_43995_ = 1f;
+phi_44016_ = 1f;
 } else {
 let _e19956 = global_1.member.member_12.member_20.member;
 let _e19964 = (((_e19956.member * _e19879) + (_e19956.member_1 * _e19880)) + (_e19956.member_2 * _e19881));
@@ -6414,125 +6414,125 @@ let _e19992 = global_1.member.member_12.member_20.member_2;
 let _e19993 = ((_e19986 - (sqrt(select(0f, _e19975, (_e19975 > 0f))) / select(1e-20f, _e19964, (_e19964 > 1e-20f)))) * _e19992);
 let _e19995 = select(0f, _e19993, (_e19993 > 0f));
 let _e19997 = select(1f, _e19995, (_e19995 < 1f));
-phi_43995_ = select(1f, select(0f, ((_e19997 * _e19997) * (3f - (2f * _e19997))), (_e19964 > 0f)), (_e19992 > 0f));
+phi_44016_ = select(1f, select(0f, ((_e19997 * _e19997) * (3f - (2f * _e19997))), (_e19964 > 0f)), (_e19992 > 0f));
 }
-let _e20007 = phi_43995_;
+let _e20007 = phi_44016_;
 let _e20008 = (_e19951 * _e20007);
-phi_44067_ = type_40(vec3<f32>((_e19943.member * _e20008), (_e19943.member_1 * _e20008), (_e19943.member_2 * _e20008)), _e19937);
+phi_44088_ = type_40(vec3<f32>((_e19943.member * _e20008), (_e19943.member_1 * _e20008), (_e19943.member_2 * _e20008)), _e19937);
 }
-let _e20032 = phi_44067_;
-phi_44068_ = _e20032;
+let _e20032 = phi_44088_;
+phi_44089_ = _e20032;
 }
-let _e20463 = phi_44068_;
-let _e20467 = global_1.member.member_23.member_4;
+let _e20451 = phi_44089_;
+let _e20455 = global_1.member.member_23.member_4;
+let _e20463 = (((_e20455.member * _e6498) + (_e20455.member_1 * _e6499)) + (_e20455.member_2 * _e6500));
+let _e20467 = global_1.member.member_23.member_5;
 let _e20475 = (((_e20467.member * _e6498) + (_e20467.member_1 * _e6499)) + (_e20467.member_2 * _e6500));
-let _e20479 = global_1.member.member_23.member_5;
+let _e20479 = global_1.member.member_23.member_6;
 let _e20487 = (((_e20479.member * _e6498) + (_e20479.member_1 * _e6499)) + (_e20479.member_2 * _e6500));
-let _e20491 = global_1.member.member_23.member_6;
-let _e20499 = (((_e20491.member * _e6498) + (_e20491.member_1 * _e6499)) + (_e20491.member_2 * _e6500));
-let _e20503 = global_1.member.member_20.member_1;
-let _e20513 = global_1.member.member_20.member_2;
-let _e20526 = global_1.member.member_20.member_3;
-let _e20539 = global_1.member.member_20.member_4;
-let _e20543 = (_e20475 * _e20475);
-let _e20550 = global_1.member.member_20.member_5;
-let _e20554 = (_e20487 * _e20487);
-let _e20564 = global_1.member.member_20.member_6;
-let _e20568 = (_e20499 * _e20499);
-let _e20578 = global_1.member.member_20.member_7;
-let _e20582 = (_e20475 * _e20487);
-let _e20589 = global_1.member.member_20.member_8;
-let _e20593 = (_e20475 * _e20499);
-let _e20603 = global_1.member.member_20.member_9;
-let _e20607 = (_e20487 * _e20499);
-let _e20620 = ((_e19769.member + (((_e20503.member * _e20475) + (_e20513.member * _e20487)) + (_e20526.member * _e20499))) + ((((_e20539.member * _e20543) + (_e20550.member * _e20554)) + (_e20564.member * _e20568)) + (((_e20578.member * _e20582) + (_e20589.member * _e20593)) + (_e20603.member * _e20607))));
-let _e20621 = ((_e19769.member_1 + (((_e20503.member_1 * _e20475) + (_e20513.member_1 * _e20487)) + (_e20526.member_1 * _e20499))) + ((((_e20539.member_1 * _e20543) + (_e20550.member_1 * _e20554)) + (_e20564.member_1 * _e20568)) + (((_e20578.member_1 * _e20582) + (_e20589.member_1 * _e20593)) + (_e20603.member_1 * _e20607))));
-let _e20622 = ((_e19769.member_2 + (((_e20503.member_2 * _e20475) + (_e20513.member_2 * _e20487)) + (_e20526.member_2 * _e20499))) + ((((_e20539.member_2 * _e20543) + (_e20550.member_2 * _e20554)) + (_e20564.member_2 * _e20568)) + (((_e20578.member_2 * _e20582) + (_e20589.member_2 * _e20593)) + (_e20603.member_2 * _e20607))));
-let _e20637 = (((_e20463.member_1.x * _e20463.member_1.x) + (_e20463.member_1.y * _e20463.member_1.y)) + (_e20463.member_1.z * _e20463.member_1.z));
-let _e20640 = sqrt(select(0f, _e20637, (_e20637 > 0f)));
-let _e20644 = (1e-6f * _e20640);
-let _e20648 = select((_e20640 / select(_e20644, _e20463.member_1.z, (_e20463.member_1.z > _e20644))), 1f, _e19686);
-let _e20663 = (-((((_e6498 * _e20463.member_1.x) + (_e6499 * _e20463.member_1.y)) + (_e6500 * _e20463.member_1.z))) / select(1e-20f, _e20640, (_e20640 > 1e-20f)));
-let _e20668 = bitcast<f32>((bitcast<u32>(select(0f, _e20663, (_e20663 > 0f))) & 2147483647u));
-let _e20681 = (1f - _e19801);
-let _e20695 = select(_e19801, 1f, _e6510);
-let _e20700 = select(_e19806, _e19804, (_e19804 > _e19806));
-phi_44396_ = type_34(vec3<f32>(select(_e6405, _e19823, _e6510), select(_e6406, _e19824, _e6510), select(_e6407, _e19825, _e6510)), vec3<f32>(select((_e10463 + (_e10215.member_4.x * _e11147)), select((_e10463 + (_e11110 * _e11129)), _e10463, _e11130), _e6389), select((_e10464 + (_e10215.member_4.y * _e11147)), select((_e10464 + (_e11111 * _e11129)), _e10464, _e11130), _e6389), select((_e10465 + (_e10215.member_4.z * _e11147)), select((_e10465 + (_e11112 * _e11129)), _e10465, _e11130), _e6389)), _e10215.member, select(4f, 1f, (_e6510 || (((1f - _e20695) * select(_e19808, _e20700, (_e20700 > _e19808))) < 9.765625e-4f))), select(_e19819, (_e19819 + (_e20681 * _e19825)), _e6510), vec3<f32>(select(_e19794, (_e19794 + ((_e19804 * ((select(_e6491.member, _e6480.member, _e6469) * (((_e20463.member.x * _e20648) * _e20668) + select(0f, _e20620, (_e20620 > 0f)))) * _e19702)) * _e20681)), _e6510), select(_e19796, (_e19796 + ((_e19806 * ((select(_e6491.member_1, _e6480.member_1, _e6469) * (((_e20463.member.y * _e20648) * _e20668) + select(0f, _e20621, (_e20621 > 0f)))) * _e19702)) * _e20681)), _e6510), select(_e19798, (_e19798 + ((_e19808 * ((select(_e6491.member_2, _e6480.member_2, _e6469) * (((_e20463.member.z * _e20648) * _e20668) + select(0f, _e20622, (_e20622 > 0f)))) * _e19702)) * _e20681)), _e6510)), _e20695, (_e5634.member_7 * _e12825.member_2), select(0f, _e10215.member_3, (_e5647 != (_e6389 && !((_e11126 && (_e11095 != 0f)))))), -1.2676506e30f, _e5634.member_10, _e5634.member_11, _e5634.member_12);
-phi_44397_ = _e10456.member_2;
-phi_44399_ = _e10215;
+let _e20491 = global_1.member.member_20.member_1;
+let _e20501 = global_1.member.member_20.member_2;
+let _e20514 = global_1.member.member_20.member_3;
+let _e20527 = global_1.member.member_20.member_4;
+let _e20531 = (_e20463 * _e20463);
+let _e20538 = global_1.member.member_20.member_5;
+let _e20542 = (_e20475 * _e20475);
+let _e20552 = global_1.member.member_20.member_6;
+let _e20556 = (_e20487 * _e20487);
+let _e20566 = global_1.member.member_20.member_7;
+let _e20570 = (_e20463 * _e20475);
+let _e20577 = global_1.member.member_20.member_8;
+let _e20581 = (_e20463 * _e20487);
+let _e20591 = global_1.member.member_20.member_9;
+let _e20595 = (_e20475 * _e20487);
+let _e20608 = ((_e19769.member + (((_e20491.member * _e20463) + (_e20501.member * _e20475)) + (_e20514.member * _e20487))) + ((((_e20527.member * _e20531) + (_e20538.member * _e20542)) + (_e20552.member * _e20556)) + (((_e20566.member * _e20570) + (_e20577.member * _e20581)) + (_e20591.member * _e20595))));
+let _e20609 = ((_e19769.member_1 + (((_e20491.member_1 * _e20463) + (_e20501.member_1 * _e20475)) + (_e20514.member_1 * _e20487))) + ((((_e20527.member_1 * _e20531) + (_e20538.member_1 * _e20542)) + (_e20552.member_1 * _e20556)) + (((_e20566.member_1 * _e20570) + (_e20577.member_1 * _e20581)) + (_e20591.member_1 * _e20595))));
+let _e20610 = ((_e19769.member_2 + (((_e20491.member_2 * _e20463) + (_e20501.member_2 * _e20475)) + (_e20514.member_2 * _e20487))) + ((((_e20527.member_2 * _e20531) + (_e20538.member_2 * _e20542)) + (_e20552.member_2 * _e20556)) + (((_e20566.member_2 * _e20570) + (_e20577.member_2 * _e20581)) + (_e20591.member_2 * _e20595))));
+let _e20625 = (((_e20451.member_1.x * _e20451.member_1.x) + (_e20451.member_1.y * _e20451.member_1.y)) + (_e20451.member_1.z * _e20451.member_1.z));
+let _e20628 = sqrt(select(0f, _e20625, (_e20625 > 0f)));
+let _e20632 = (1e-6f * _e20628);
+let _e20636 = select((_e20628 / select(_e20632, _e20451.member_1.z, (_e20451.member_1.z > _e20632))), 1f, _e19686);
+let _e20651 = (-((((_e6498 * _e20451.member_1.x) + (_e6499 * _e20451.member_1.y)) + (_e6500 * _e20451.member_1.z))) / select(1e-20f, _e20628, (_e20628 > 1e-20f)));
+let _e20656 = bitcast<f32>((bitcast<u32>(select(0f, _e20651, (_e20651 > 0f))) & 2147483647u));
+let _e20669 = (1f - _e19801);
+let _e20683 = select(_e19801, 1f, _e6511);
+let _e20688 = select(_e19806, _e19804, (_e19804 > _e19806));
+phi_44417_ = type_34(vec3<f32>(select(_e6405, _e19823, _e6511), select(_e6406, _e19824, _e6511), select(_e6407, _e19825, _e6511)), vec3<f32>(select((_e10463 + (_e10215.member_4.x * _e11147)), select((_e10463 + (_e11110 * _e11129)), _e10463, _e11130), _e6389), select((_e10464 + (_e10215.member_4.y * _e11147)), select((_e10464 + (_e11111 * _e11129)), _e10464, _e11130), _e6389), select((_e10465 + (_e10215.member_4.z * _e11147)), select((_e10465 + (_e11112 * _e11129)), _e10465, _e11130), _e6389)), _e10215.member, select(4f, 1f, (_e6511 || (((1f - _e20683) * select(_e19808, _e20688, (_e20688 > _e19808))) < 9.765625e-4f))), select(_e19819, (_e19819 + (_e20669 * _e19825)), _e6511), vec3<f32>(select(_e19794, (_e19794 + ((_e19804 * ((select(_e6491.member, _e6480.member, _e6469) * (((_e20451.member.x * _e20636) * _e20656) + select(0f, _e20608, (_e20608 > 0f)))) * _e19702)) * _e20669)), _e6511), select(_e19796, (_e19796 + ((_e19806 * ((select(_e6491.member_1, _e6480.member_1, _e6469) * (((_e20451.member.y * _e20636) * _e20656) + select(0f, _e20609, (_e20609 > 0f)))) * _e19702)) * _e20669)), _e6511), select(_e19798, (_e19798 + ((_e19808 * ((select(_e6491.member_2, _e6480.member_2, _e6469) * (((_e20451.member.z * _e20636) * _e20656) + select(0f, _e20610, (_e20610 > 0f)))) * _e19702)) * _e20669)), _e6511)), _e20683, (_e5634.member_7 * _e12825.member_2), select(0f, _e10215.member_3, (_e5647 != (_e6389 && !((_e11126 && (_e11095 != 0f)))))), -1.2676506e30f, _e5634.member_10, _e5634.member_11, _e5634.member_12);
+phi_44418_ = _e10456.member_2;
+phi_44421_ = _e10215;
 }
-let _e20731 = phi_44396_;
-let _e20733 = phi_44397_;
-let _e20735 = phi_44399_;
-phi_11224_ = _e20731;
-phi_11226_ = _e20733;
-phi_11230_ = _e20735;
-phi_11232_ = (_e5640 + 1i);
+let _e20719 = phi_44417_;
+let _e20721 = phi_44418_;
+let _e20723 = phi_44421_;
+phi_11229_ = _e20719;
+phi_11231_ = _e20721;
+phi_11237_ = _e20723;
+phi_11239_ = (_e5640 + 1i);
 } else {
-phi_11224_ = type_34();
-phi_11226_ = f32();
-phi_11230_ = type_37();
-phi_11232_ = i32();
+phi_11229_ = type_34();
+phi_11231_ = f32();
+phi_11237_ = type_37();
+phi_11239_ = i32();
 }
-let _e20737 = phi_11224_;
-let _e20739 = phi_11226_;
-let _e20741 = phi_11230_;
-let _e20743 = phi_11232_;
+let _e20725 = phi_11229_;
+let _e20727 = phi_11231_;
+let _e20729 = phi_11237_;
+let _e20731 = phi_11239_;
 continue;
 continuing {
-phi_11223_ = _e20737;
-phi_11225_ = _e20739;
-phi_11229_ = _e20741;
-phi_11231_ = _e20743;
+phi_11228_ = _e20725;
+phi_11230_ = _e20727;
+phi_11236_ = _e20729;
+phi_11238_ = _e20731;
 break if !(_e5644);
 }
 }
-let _e20746 = local_62;
-let _e20750 = local_63;
-let _e20754 = local_64;
-let _e20758 = local_65;
-let _e20762 = local_66;
-let _e20766 = local_67;
-let _e20770 = local_68;
-let _e20773 = local_69;
-let _e20776 = local_70;
-let _e20780 = local_71;
-let _e20784 = local_72;
-let _e20788 = local_73;
-let _e20791 = local_74;
-let _e20795 = local_75;
-let _e20799 = local_76;
-let _e20803 = local_77;
-let _e20806 = local_78;
-let _e20809 = local_79;
-let _e20812 = local_80;
-let _e20815 = local_81;
-let _e20819 = local_82;
-let _e20823 = local_83;
-global_5.member[_e294] = _e20746.member.x;
-global_5.member[_e306] = _e20750.member.y;
-global_5.member[_e317] = _e20754.member.z;
-global_5.member[_e328] = _e20758.member_1.x;
-global_5.member[_e339] = _e20762.member_1.y;
-global_5.member[_e350] = _e20766.member_1.z;
-global_5.member[_e361] = _e20770.member_2;
-let _e20843 = local_84;
-global_5.member[_e372] = _e20843;
-global_5.member[_e383] = _e20773.member_4;
-global_5.member[_e394] = _e20776.member_5.x;
-global_5.member[_e405] = _e20780.member_5.y;
-global_5.member[_e416] = _e20784.member_5.z;
-global_5.member[_e427] = _e20788.member_6;
-global_5.member[_e438] = _e20791.member_7.x;
-global_5.member[_e449] = _e20795.member_7.y;
-global_5.member[_e460] = _e20799.member_7.z;
-global_5.member[_e471] = _e20803.member_8;
-global_5.member[_e482] = _e20806.member_9;
-global_5.member[_e493] = _e20809.member_10;
-global_5.member[_e504] = _e20812.member_11;
-global_5.member[_e515] = _e20815.member_12.x;
-global_5.member[_e526] = _e20819.member_12.y;
-global_5.member[_e537] = _e20823.member_12.z;
+let _e20734 = local_62;
+let _e20738 = local_63;
+let _e20742 = local_64;
+let _e20746 = local_65;
+let _e20750 = local_66;
+let _e20754 = local_67;
+let _e20758 = local_68;
+let _e20761 = local_69;
+let _e20764 = local_70;
+let _e20768 = local_71;
+let _e20772 = local_72;
+let _e20776 = local_73;
+let _e20779 = local_74;
+let _e20783 = local_75;
+let _e20787 = local_76;
+let _e20791 = local_77;
+let _e20794 = local_78;
+let _e20797 = local_79;
+let _e20800 = local_80;
+let _e20803 = local_81;
+let _e20807 = local_82;
+let _e20811 = local_83;
+global_5.member[_e294] = _e20734.member.x;
+global_5.member[_e306] = _e20738.member.y;
+global_5.member[_e317] = _e20742.member.z;
+global_5.member[_e328] = _e20746.member_1.x;
+global_5.member[_e339] = _e20750.member_1.y;
+global_5.member[_e350] = _e20754.member_1.z;
+global_5.member[_e361] = _e20758.member_2;
+let _e20831 = local_84;
+global_5.member[_e372] = _e20831;
+global_5.member[_e383] = _e20761.member_4;
+global_5.member[_e394] = _e20764.member_5.x;
+global_5.member[_e405] = _e20768.member_5.y;
+global_5.member[_e416] = _e20772.member_5.z;
+global_5.member[_e427] = _e20776.member_6;
+global_5.member[_e438] = _e20779.member_7.x;
+global_5.member[_e449] = _e20783.member_7.y;
+global_5.member[_e460] = _e20787.member_7.z;
+global_5.member[_e471] = _e20791.member_8;
+global_5.member[_e482] = _e20794.member_9;
+global_5.member[_e493] = _e20797.member_10;
+global_5.member[_e504] = _e20800.member_11;
+global_5.member[_e515] = _e20803.member_12.x;
+global_5.member[_e526] = _e20807.member_12.y;
+global_5.member[_e537] = _e20811.member_12.z;
 }
 }
 }

@@ -339,73 +339,73 @@ var local_58: f32;
 var local_59: type_30;
 var local_60: vec3<f32>;
 var local_61: type_32;
-var phi_8402_: vec3<f32>;
-var phi_6815_: vec3<f32>;
-var phi_8931_: f32;
-var phi_8932_: vec3<f32>;
-var phi_1063_: vec3<f32>;
-var phi_6468_: type_36;
-var phi_8934_: type_37;
-var phi_9447_: type_38;
-var phi_10782_: type_39;
-var phi_10819_: type_34;
-var phi_10923_: f32;
-var phi_11007_: f32;
-var phi_11079_: type_40;
-var phi_11084_: type_34;
-var phi_11086_: f32;
-var phi_11090_: type_37;
-var phi_11092_: i32;
-var phi_12567_: type_39;
-var phi_12579_: bool;
-var phi_12594_: vec3<f32>;
-var phi_20293_: vec3<f32>;
-var phi_18706_: vec3<f32>;
-var phi_20822_: f32;
-var phi_20823_: vec3<f32>;
-var phi_12954_: vec3<f32>;
-var phi_18359_: type_36;
-var phi_20825_: type_37;
-var phi_21350_: type_38;
-var phi_21546_: vec3<f32>;
-var phi_26413_: type_43;
-var phi_26414_: type_41;
-var phi_26415_: f32;
-var phi_27003_: vec3<f32>;
-var phi_28048_: type_38;
-var phi_31723_: type_42;
-var phi_32074_: type_43;
-var phi_32279_: vec3<f32>;
-var phi_33324_: type_38;
-var phi_36999_: type_42;
-var phi_37350_: type_43;
-var phi_37964_: type_38;
-var phi_38671_: i32;
-var phi_39248_: vec3<f32>;
-var phi_39655_: vec3<f32>;
-var phi_39749_: f32;
-var phi_39791_: f32;
-var phi_40022_: vec3<f32>;
-var phi_41794_: f32;
-var phi_42593_: f32;
-var phi_42603_: type_40;
-var phi_42735_: f32;
-var phi_42778_: f32;
-var phi_43731_: f32;
-var phi_43815_: f32;
-var phi_43887_: type_40;
-var phi_43226_: u32;
-var phi_43562_: f32;
-var phi_43594_: vec3<f32>;
-var phi_43620_: f32;
-var phi_43888_: type_40;
-var phi_44216_: type_34;
-var phi_44217_: f32;
-var phi_44219_: type_37;
-var phi_11085_: type_34;
-var phi_11087_: f32;
-var phi_11091_: type_37;
-var phi_11093_: i32;
+var phi_8407_: vec3<f32>;
+var phi_6820_: vec3<f32>;
+var phi_8936_: f32;
+var phi_8937_: vec3<f32>;
+var phi_1068_: vec3<f32>;
+var phi_6473_: type_36;
+var phi_8939_: type_37;
+var phi_9452_: type_38;
+var phi_10787_: type_39;
+var phi_10824_: type_34;
+var phi_10928_: f32;
+var phi_11012_: f32;
+var phi_11084_: type_40;
+var phi_11089_: type_34;
+var phi_11091_: f32;
+var phi_11097_: type_37;
+var phi_11099_: i32;
+var phi_12574_: type_39;
+var phi_12586_: bool;
+var phi_12601_: vec3<f32>;
+var phi_20300_: vec3<f32>;
+var phi_18713_: vec3<f32>;
+var phi_20829_: f32;
+var phi_20830_: vec3<f32>;
+var phi_12961_: vec3<f32>;
+var phi_18366_: type_36;
+var phi_20832_: type_37;
+var phi_21357_: type_38;
+var phi_21553_: vec3<f32>;
+var phi_26420_: type_43;
+var phi_26421_: type_41;
+var phi_26422_: f32;
+var phi_27016_: vec3<f32>;
+var phi_28061_: type_38;
+var phi_31736_: type_42;
+var phi_32087_: type_43;
+var phi_32292_: vec3<f32>;
+var phi_33337_: type_38;
+var phi_37012_: type_42;
+var phi_37363_: type_43;
+var phi_37977_: type_38;
+var phi_38684_: i32;
+var phi_39261_: vec3<f32>;
+var phi_39668_: vec3<f32>;
+var phi_39762_: f32;
+var phi_39804_: f32;
+var phi_40035_: vec3<f32>;
+var phi_41807_: f32;
+var phi_42606_: f32;
+var phi_42616_: type_40;
+var phi_42748_: f32;
+var phi_42791_: f32;
+var phi_43752_: f32;
+var phi_43836_: f32;
+var phi_43908_: type_40;
+var phi_43247_: u32;
+var phi_43583_: f32;
+var phi_43615_: vec3<f32>;
+var phi_43641_: f32;
+var phi_43909_: type_40;
+var phi_44237_: type_34;
+var phi_44238_: f32;
+var phi_44241_: type_37;
+var phi_11090_: type_34;
+var phi_11092_: f32;
+var phi_11098_: type_37;
+var phi_11100_: i32;
 var local_62: type_34;
 var local_63: type_34;
 var local_64: type_34;
@@ -577,7 +577,7 @@ let _e2380 = select(_e2373, _e619, (_e619 > _e2373));
 let _e2382 = select(_e2378, _e2380, (_e2380 < _e2378));
 let _e2387 = global_1.member.member_8.member_15;
 if (_e2387 == 0u) {
-phi_1063_ = vec3<f32>(_e2354, _e2368, _e2382);
+phi_1068_ = vec3<f32>(_e2354, _e2368, _e2382);
 } else {
 let _e2389 = (_e2354 + 0.5f);
 let _e2394 = global_1.member.member_8.member_3.member;
@@ -597,9 +597,9 @@ let _e2441 = (_e2440 - 1f);
 let _e2443 = select(0f, _e2435, (_e2435 > 0f));
 let _e2445 = select(_e2441, _e2443, (_e2443 < _e2441));
 let _e2452 = select(0i, select(select(i32(_e2445), i32(-2147483648), (_e2445 < -2147483600f)), 2147483647i, (_e2445 > 2147483500f)), (_e2445 == _e2445));
-phi_1063_ = vec3<f32>(f32((_e2406 - select(0i, 1i, (_e2399 < f32(_e2406))))), f32((_e2429 - select(0i, 1i, (_e2422 < f32(_e2429))))), f32((_e2452 - select(0i, 1i, (_e2445 < f32(_e2452))))));
+phi_1068_ = vec3<f32>(f32((_e2406 - select(0i, 1i, (_e2399 < f32(_e2406))))), f32((_e2429 - select(0i, 1i, (_e2422 < f32(_e2429))))), f32((_e2452 - select(0i, 1i, (_e2445 < f32(_e2452))))));
 }
-let _e2460 = phi_1063_;
+let _e2460 = phi_1068_;
 let _e2466 = global_1.member.member_8.member_3.member;
 let _e2468 = select(-1f, _e2460.x, (_e2460.x > -1f));
 let _e2470 = select(_e2466, _e2468, (_e2468 < _e2466));
@@ -986,7 +986,7 @@ if _e627 {
 let _e4148 = ((0.5f * (_e3439 - _e3433)) * _e3697);
 let _e4149 = ((0.5f * (_e3451 - _e3445)) * _e3697);
 let _e4150 = ((0.5f * (_e3463 - _e3457)) * _e3697);
-phi_6468_ = type_36(_e3659, vec3<f32>(_e4148, _e4149, _e4150), vec3<f32>((_e4148 * _e3659), (_e4149 * _e3659), (_e4150 * _e3659)));
+phi_6473_ = type_36(_e3659, vec3<f32>(_e4148, _e4149, _e4150), vec3<f32>((_e4148 * _e3659), (_e4149 * _e3659), (_e4150 * _e3659)));
 } else {
 local_55 = _e3433;
 let _e3698 = local_55;
@@ -1135,9 +1135,9 @@ let _e4123 = ((_e3644 + (f32(bitcast<i32>((_e4108 >> bitcast<u32>(12u)))) * _e36
 let _e4124 = (_e3839 - _e3768);
 let _e4126 = (_e3981 - _e3910);
 let _e4128 = (_e4123 - _e4052);
-phi_6468_ = type_36(_e3659, vec3<f32>((0.5f * _e4124), (0.5f * _e4126), (0.5f * _e4128)), vec3<f32>((0.25f * (_e4124 * (_e3839 + _e3768))), (0.25f * (_e4126 * (_e3981 + _e3910))), (0.25f * (_e4128 * (_e4123 + _e4052)))));
+phi_6473_ = type_36(_e3659, vec3<f32>((0.5f * _e4124), (0.5f * _e4126), (0.5f * _e4128)), vec3<f32>((0.25f * (_e4124 * (_e3839 + _e3768))), (0.25f * (_e4126 * (_e3981 + _e3910))), (0.25f * (_e4128 * (_e4123 + _e4052)))));
 }
-let _e4158 = phi_6468_;
+let _e4158 = phi_6473_;
 let _e4173 = select(0f, 1f, ((((((_e589 >= _e2345) && (_e589 <= _e2350)) && (_e604 >= _e2359)) && (_e604 <= _e2364)) && (_e619 >= _e2373)) && (_e619 <= _e2378)));
 let _e4175 = (0.5f * (_e3439 - _e3433));
 let _e4177 = (0.5f * (_e3451 - _e3445));
@@ -1154,7 +1154,7 @@ let _e4233 = global_1.member.member_8.member_2.member.member_2;
 let _e4238 = (((_e4185 * _e4175) + (_e4203 * _e4177)) + (_e4221 * _e4179));
 let _e4243 = (((_e4191 * _e4175) + (_e4209 * _e4177)) + (_e4227 * _e4179));
 let _e4248 = (((_e4197 * _e4175) + (_e4215 * _e4177)) + (_e4233 * _e4179));
-phi_8934_ = type_37(_e3427, vec3<f32>((_e4238 * _e4173), (_e4243 * _e4173), (_e4248 * _e4173)), vec3<f32>(_e4238, _e4243, _e4248), _e4158.member, vec3<f32>(((((_e4185 * _e4158.member_2.x) + (_e4203 * _e4158.member_2.y)) + (_e4221 * _e4158.member_2.z)) * _e4173), ((((_e4191 * _e4158.member_2.x) + (_e4209 * _e4158.member_2.y)) + (_e4227 * _e4158.member_2.z)) * _e4173), ((((_e4197 * _e4158.member_2.x) + (_e4215 * _e4158.member_2.y)) + (_e4233 * _e4158.member_2.z)) * _e4173)), vec3<f32>(((((_e4185 * _e4158.member_1.x) + (_e4203 * _e4158.member_1.y)) + (_e4221 * _e4158.member_1.z)) * _e4173), ((((_e4191 * _e4158.member_1.x) + (_e4209 * _e4158.member_1.y)) + (_e4227 * _e4158.member_1.z)) * _e4173), ((((_e4197 * _e4158.member_1.x) + (_e4215 * _e4158.member_1.y)) + (_e4233 * _e4158.member_1.z)) * _e4173)));
+phi_8939_ = type_37(_e3427, vec3<f32>((_e4238 * _e4173), (_e4243 * _e4173), (_e4248 * _e4173)), vec3<f32>(_e4238, _e4243, _e4248), _e4158.member, vec3<f32>(((((_e4185 * _e4158.member_2.x) + (_e4203 * _e4158.member_2.y)) + (_e4221 * _e4158.member_2.z)) * _e4173), ((((_e4191 * _e4158.member_2.x) + (_e4209 * _e4158.member_2.y)) + (_e4227 * _e4158.member_2.z)) * _e4173), ((((_e4197 * _e4158.member_2.x) + (_e4215 * _e4158.member_2.y)) + (_e4233 * _e4158.member_2.z)) * _e4173)), vec3<f32>(((((_e4185 * _e4158.member_1.x) + (_e4203 * _e4158.member_1.y)) + (_e4221 * _e4158.member_1.z)) * _e4173), ((((_e4191 * _e4158.member_1.x) + (_e4209 * _e4158.member_1.y)) + (_e4227 * _e4158.member_1.z)) * _e4173), ((((_e4197 * _e4158.member_1.x) + (_e4215 * _e4158.member_1.y)) + (_e4233 * _e4158.member_1.z)) * _e4173)));
 } else {
 if (_e279.member_2 == 8u) {
 let _e1141 = global_1.member.member_8.member_4.member;
@@ -1171,7 +1171,7 @@ let _e1176 = select(_e1169, _e619, (_e619 > _e1169));
 let _e1178 = select(_e1174, _e1176, (_e1176 < _e1174));
 let _e1183 = global_1.member.member_8.member_15;
 if (_e1183 == 0u) {
-phi_6815_ = vec3<f32>(_e1150, _e1164, _e1178);
+phi_6820_ = vec3<f32>(_e1150, _e1164, _e1178);
 } else {
 let _e1185 = (_e1150 + 0.5f);
 let _e1190 = global_1.member.member_8.member_3.member;
@@ -1191,9 +1191,9 @@ let _e1237 = (_e1236 - 1f);
 let _e1239 = select(0f, _e1231, (_e1231 > 0f));
 let _e1241 = select(_e1237, _e1239, (_e1239 < _e1237));
 let _e1248 = select(0i, select(select(i32(_e1241), i32(-2147483648), (_e1241 < -2147483600f)), 2147483647i, (_e1241 > 2147483500f)), (_e1241 == _e1241));
-phi_6815_ = vec3<f32>(f32((_e1202 - select(0i, 1i, (_e1195 < f32(_e1202))))), f32((_e1225 - select(0i, 1i, (_e1218 < f32(_e1225))))), f32((_e1248 - select(0i, 1i, (_e1241 < f32(_e1248))))));
+phi_6820_ = vec3<f32>(f32((_e1202 - select(0i, 1i, (_e1195 < f32(_e1202))))), f32((_e1225 - select(0i, 1i, (_e1218 < f32(_e1225))))), f32((_e1248 - select(0i, 1i, (_e1241 < f32(_e1248))))));
 }
-let _e1256 = phi_6815_;
+let _e1256 = phi_6820_;
 let _e1262 = global_1.member.member_8.member_3.member;
 let _e1264 = select(-1f, _e1256.x, (_e1256.x > -1f));
 let _e1266 = select(_e1262, _e1264, (_e1264 < _e1262));
@@ -1498,8 +1498,8 @@ let _e2301 = global_1.member.member_8.member_1.member.member_2;
 let _e2307 = global_1.member.member_8.member_2.member.member;
 let _e2313 = global_1.member.member_8.member_2.member.member_1;
 let _e2319 = global_1.member.member_8.member_2.member.member_2;
-phi_8931_ = select(1e9f, _e2221, (_e2221 < 1e9f));
-phi_8932_ = vec3<f32>((((_e2271 * _e2261) + (_e2289 * _e2263)) + (_e2307 * _e2265)), (((_e2277 * _e2261) + (_e2295 * _e2263)) + (_e2313 * _e2265)), (((_e2283 * _e2261) + (_e2301 * _e2263)) + (_e2319 * _e2265)));
+phi_8936_ = select(1e9f, _e2221, (_e2221 < 1e9f));
+phi_8937_ = vec3<f32>((((_e2271 * _e2261) + (_e2289 * _e2263)) + (_e2307 * _e2265)), (((_e2277 * _e2261) + (_e2295 * _e2263)) + (_e2313 * _e2265)), (((_e2283 * _e2261) + (_e2301 * _e2263)) + (_e2319 * _e2265)));
 } else {
 let _e634 = global_1.member.member_8.member_4.member;
 let _e639 = global_1.member.member_8.member_5.member;
@@ -1515,7 +1515,7 @@ let _e669 = select(_e662, _e619, (_e619 > _e662));
 let _e671 = select(_e667, _e669, (_e669 < _e667));
 let _e676 = global_1.member.member_8.member_15;
 if (_e676 == 0u) {
-phi_8402_ = vec3<f32>(_e643, _e657, _e671);
+phi_8407_ = vec3<f32>(_e643, _e657, _e671);
 } else {
 let _e678 = (_e643 + 0.5f);
 let _e683 = global_1.member.member_8.member_3.member;
@@ -1535,9 +1535,9 @@ let _e730 = (_e729 - 1f);
 let _e732 = select(0f, _e724, (_e724 > 0f));
 let _e734 = select(_e730, _e732, (_e732 < _e730));
 let _e741 = select(0i, select(select(i32(_e734), i32(-2147483648), (_e734 < -2147483600f)), 2147483647i, (_e734 > 2147483500f)), (_e734 == _e734));
-phi_8402_ = vec3<f32>(f32((_e695 - select(0i, 1i, (_e688 < f32(_e695))))), f32((_e718 - select(0i, 1i, (_e711 < f32(_e718))))), f32((_e741 - select(0i, 1i, (_e734 < f32(_e741))))));
+phi_8407_ = vec3<f32>(f32((_e695 - select(0i, 1i, (_e688 < f32(_e695))))), f32((_e718 - select(0i, 1i, (_e711 < f32(_e718))))), f32((_e741 - select(0i, 1i, (_e734 < f32(_e741))))));
 }
-let _e749 = phi_8402_;
+let _e749 = phi_8407_;
 let _e755 = global_1.member.member_8.member_3.member;
 let _e757 = select(-1f, _e749.x, (_e749.x > -1f));
 let _e759 = select(_e755, _e757, (_e757 < _e755));
@@ -1642,18 +1642,18 @@ let _e1129 = global_1.member.member_8.member_7;
 let _e1131 = (((_e1010 + (((_e1061 + (((_e1101 + ((f32(bitcast<i32>(((_e1094 >> bitcast<u32>((_e1102 & 31u))) & 255u))) - _e1101) * _e1109)) - _e1061) * _e1113)) - _e1010) * _e1118)) - _e1125) * _e1129);
 let _e1132 = -(1e9f);
 let _e1134 = select(_e1132, _e1131, (_e1131 > _e1132));
-phi_8931_ = select(1e9f, _e1134, (_e1134 < 1e9f));
-phi_8932_ = vec3<f32>(0f, 0f, 0f);
+phi_8936_ = select(1e9f, _e1134, (_e1134 < 1e9f));
+phi_8937_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e2337 = phi_8931_;
-let _e2339 = phi_8932_;
-phi_8934_ = type_37(_e2337, vec3<f32>(0f, 0f, 0f), _e2339, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2337 = phi_8936_;
+let _e2339 = phi_8937_;
+phi_8939_ = type_37(_e2337, vec3<f32>(0f, 0f, 0f), _e2339, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e4300 = phi_8934_;
+let _e4300 = phi_8939_;
 let _e4303 = global_1.member.member_1;
 let _e4305 = ((_e4303 & 16u) == 0u);
 if _e4305 {
-phi_9447_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_9452_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e4309 = global_1.member.member_16.member;
 let _e4320 = ((((_e4309.member.member * _e305) + (_e4309.member.member_1 * _e315)) + (_e4309.member.member_2 * _e326)) + _e4309.member_1);
@@ -1719,9 +1719,9 @@ let _e4495 = global_1.member.member_19.member_1;
 let _e4496 = (_e4495 != 0u);
 let _e4501 = select(0f, _e4490, _e4496);
 let _e4502 = select(1f, _e4491, _e4496);
-phi_9447_ = type_38(type_35(select(_e4490, _e4447, (_e4447 > _e4490)), select(_e4491, _e4449, (_e4449 < _e4491))), type_35(select(_e4501, _e4453, (_e4453 > _e4501)), select(_e4502, _e4455, (_e4455 < _e4502))), ((((1f * select(1f, 0f, (_e4343 && _e4335))) * select(1f, 0f, (_e4394 && _e4386))) * select(1f, 0f, (_e4445 && _e4437))) * select(1f, 0f, (_e4496 && _e4488))));
+phi_9452_ = type_38(type_35(select(_e4490, _e4447, (_e4447 > _e4490)), select(_e4491, _e4449, (_e4449 < _e4491))), type_35(select(_e4501, _e4453, (_e4453 > _e4501)), select(_e4502, _e4455, (_e4455 < _e4502))), ((((1f * select(1f, 0f, (_e4343 && _e4335))) * select(1f, 0f, (_e4394 && _e4386))) * select(1f, 0f, (_e4445 && _e4437))) * select(1f, 0f, (_e4496 && _e4488))));
 }
-let _e4514 = phi_9447_;
+let _e4514 = phi_9452_;
 if _e547 {
 let _e4516 = type_34(_e569, _e570, _e370, 4f, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
 let _e4521 = global_1.member.member_7.member_2;
@@ -1847,7 +1847,7 @@ let _e4842 = select(select(select(select(select(select(0f, _e4553.member, _e4623
 let _e4843 = select(select(select(select(select(select(0f, _e4553.member_1, _e4623), _e4553.member_1, _e4663), _e4561.member_1, _e4703), _e4561.member_1, _e4743), _e4569.member_1, _e4783), _e4569.member_1, _e4823);
 let _e4844 = select(select(select(select(select(select(1f, _e4553.member_2, _e4623), _e4553.member_2, _e4663), _e4561.member_2, _e4703), _e4561.member_2, _e4743), _e4569.member_2, _e4783), _e4569.member_2, _e4823);
 if _e4305 {
-phi_10782_ = type_39(_e4829, vec3<f32>(_e4830, _e4831, _e4832), _e4834, vec3<f32>(_e4835, _e4836, _e4837), _e4839, _e4841, vec3<f32>(_e4842, _e4843, _e4844));
+phi_10787_ = type_39(_e4829, vec3<f32>(_e4830, _e4831, _e4832), _e4834, vec3<f32>(_e4835, _e4836, _e4837), _e4839, _e4841, vec3<f32>(_e4842, _e4843, _e4844));
 } else {
 let _e4851 = (((_e4553.member * _e4553.member) + (_e4553.member_1 * _e4553.member_1)) + (_e4553.member_2 * _e4553.member_2));
 let _e4854 = sqrt(select(0f, _e4851, (_e4851 > 0f)));
@@ -1927,21 +1927,21 @@ let _e5138 = select(2f, select(0f, _e5130, (_e5111 < 0f)), (_e5112 > 0f));
 let _e5139 = (_e5111 > _e5077);
 let _e5143 = ((_e5134 > _e5069) || ((_e5134 == _e5069) && _e5139));
 let _e5144 = (_e5138 < _e5073);
-phi_10782_ = type_39(select(_e5069, _e5134, _e5143), vec3<f32>(select(select(select(select(_e4830, _e4889.member, _e4915), _e4965.member, _e4991), _e5041.member, _e5067), _e5117.member, _e5143), select(select(select(select(_e4831, _e4889.member_1, _e4915), _e4965.member_1, _e4991), _e5041.member_1, _e5067), _e5117.member_1, _e5143), select(select(select(select(_e4832, _e4889.member_2, _e4915), _e4965.member_2, _e4991), _e5041.member_2, _e5067), _e5117.member_2, _e5143)), select(_e5073, _e5138, _e5144), vec3<f32>(select(select(select(select(_e4835, _e4889.member, _e4916), _e4965.member, _e4992), _e5041.member, _e5068), _e5117.member, _e5144), select(select(select(select(_e4836, _e4889.member_1, _e4916), _e4965.member_1, _e4992), _e5041.member_1, _e5068), _e5117.member_1, _e5144), select(select(select(select(_e4837, _e4889.member_2, _e4916), _e4965.member_2, _e4992), _e5041.member_2, _e5068), _e5117.member_2, _e5144)), select(_e5077, _e5111, _e5139), select(_e5079, _e5112, (_e5112 > _e5079)), vec3<f32>(select(select(select(select(_e4842, _e4889.member, _e4911), _e4965.member, _e4987), _e5041.member, _e5063), _e5117.member, _e5139), select(select(select(select(_e4843, _e4889.member_1, _e4911), _e4965.member_1, _e4987), _e5041.member_1, _e5063), _e5117.member_1, _e5139), select(select(select(select(_e4844, _e4889.member_2, _e4911), _e4965.member_2, _e4987), _e5041.member_2, _e5063), _e5117.member_2, _e5139)));
+phi_10787_ = type_39(select(_e5069, _e5134, _e5143), vec3<f32>(select(select(select(select(_e4830, _e4889.member, _e4915), _e4965.member, _e4991), _e5041.member, _e5067), _e5117.member, _e5143), select(select(select(select(_e4831, _e4889.member_1, _e4915), _e4965.member_1, _e4991), _e5041.member_1, _e5067), _e5117.member_1, _e5143), select(select(select(select(_e4832, _e4889.member_2, _e4915), _e4965.member_2, _e4991), _e5041.member_2, _e5067), _e5117.member_2, _e5143)), select(_e5073, _e5138, _e5144), vec3<f32>(select(select(select(select(_e4835, _e4889.member, _e4916), _e4965.member, _e4992), _e5041.member, _e5068), _e5117.member, _e5144), select(select(select(select(_e4836, _e4889.member_1, _e4916), _e4965.member_1, _e4992), _e5041.member_1, _e5068), _e5117.member_1, _e5144), select(select(select(select(_e4837, _e4889.member_2, _e4916), _e4965.member_2, _e4992), _e5041.member_2, _e5068), _e5117.member_2, _e5144)), select(_e5077, _e5111, _e5139), select(_e5079, _e5112, (_e5112 > _e5079)), vec3<f32>(select(select(select(select(_e4842, _e4889.member, _e4911), _e4965.member, _e4987), _e5041.member, _e5063), _e5117.member, _e5139), select(select(select(select(_e4843, _e4889.member_1, _e4911), _e4965.member_1, _e4987), _e5041.member_1, _e5063), _e5117.member_1, _e5139), select(select(select(select(_e4844, _e4889.member_2, _e4911), _e4965.member_2, _e4987), _e5041.member_2, _e5063), _e5117.member_2, _e5139)));
 }
-let _e5164 = phi_10782_;
+let _e5164 = phi_10787_;
 let _e5174 = (select(select(0.5f, _e5164.member_2, (_e5164.member_2 < 1f)), 0f, (_e491 == -1.2676506e30f)) * ((_e4521 / _e359) * select(_e4514.member_2, 0f, (_e480 == 0f))));
-phi_10819_ = type_34(_e4516.member, vec3<f32>((_e337 - (_e4300.member_4.x * _e5174)), (_e348 - (_e4300.member_4.y * _e5174)), (_e359 - (_e4300.member_4.z * _e5174))), _e4516.member_2, _e4516.member_3, _e4516.member_4, _e4516.member_5, _e4516.member_6, _e4516.member_7, _e4516.member_8, _e4516.member_9, _e4516.member_10, _e4516.member_11, _e4516.member_12);
+phi_10824_ = type_34(_e4516.member, vec3<f32>((_e337 - (_e4300.member_4.x * _e5174)), (_e348 - (_e4300.member_4.y * _e5174)), (_e359 - (_e4300.member_4.z * _e5174))), _e4516.member_2, _e4516.member_3, _e4516.member_4, _e4516.member_5, _e4516.member_6, _e4516.member_7, _e4516.member_8, _e4516.member_9, _e4516.member_10, _e4516.member_11, _e4516.member_12);
 } else {
-phi_10819_ = type_34(_e569, _e570, _e370, _e381, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
+phi_10824_ = type_34(_e569, _e570, _e370, _e381, _e392, _e571, _e436, _e572, _e480, _e491, _e502, _e513, _e573);
 }
-let _e5199 = phi_10819_;
+let _e5199 = phi_10824_;
 let _e5204 = global_1.member.member_12.member_3;
 let _e5205 = (_e5204 == 0u);
 if _e5205 {
 let _e5423 = global_1.member.member_11.member_1;
 let _e5431 = global_1.member.member_11.member;
-phi_11079_ = type_40(vec3<f32>(_e5423.member, _e5423.member_1, _e5423.member_2), vec3<f32>(_e5431.member, _e5431.member_1, _e5431.member_2));
+phi_11084_ = type_40(vec3<f32>(_e5423.member, _e5423.member_1, _e5423.member_2), vec3<f32>(_e5431.member, _e5431.member_1, _e5431.member_2));
 } else {
 let _e5209 = global_1.member.member_12.member;
 let _e5223 = ((((_e5209.member.member * _e5199.member.x) + (_e5209.member.member_1 * _e5199.member.y)) + (_e5209.member.member_2 * _e5199.member.z)) + _e5209.member_1);
@@ -1951,18 +1951,18 @@ let _e5242 = global_1.member.member_12.member_2;
 let _e5253 = ((((_e5242.member.member * _e5199.member.x) + (_e5242.member.member_1 * _e5199.member.y)) + (_e5242.member.member_2 * _e5199.member.z)) + _e5242.member_1);
 let _e5257 = global_1.member.member_11.member_1;
 if _e5205 {
-phi_10923_ = 1f;
+phi_10928_ = 1f;
 } else {
 let _e5264 = global_1.member.member_12.member_19;
 let _e5268 = (_e5223 - _e5264.member);
 let _e5269 = (_e5238 - _e5264.member_1);
 let _e5270 = (_e5253 - _e5264.member_2);
 let _e5275 = (((_e5268 * _e5268) + (_e5269 * _e5269)) + (_e5270 * _e5270));
-phi_10923_ = (1f / select(1e-12f, _e5275, (_e5275 > 1e-12f)));
+phi_10928_ = (1f / select(1e-12f, _e5275, (_e5275 > 1e-12f)));
 }
-let _e5280 = phi_10923_;
+let _e5280 = phi_10928_;
 if _e5205 {
-phi_11007_ = 1f;
+phi_11012_ = 1f;
 } else {
 let _e5284 = global_1.member.member_12.member_19;
 let _e5288 = (_e5223 - _e5284.member);
@@ -1979,9 +1979,9 @@ let _e5331 = global_1.member.member_12.member_20.member_2;
 let _e5332 = ((_e5325 - (sqrt(select(0f, _e5314, (_e5314 > 0f))) / select(1e-20f, _e5303, (_e5303 > 1e-20f)))) * _e5331);
 let _e5334 = select(0f, _e5332, (_e5332 > 0f));
 let _e5336 = select(1f, _e5334, (_e5334 < 1f));
-phi_11007_ = select(1f, select(0f, ((_e5336 * _e5336) * (3f - (2f * _e5336))), (_e5303 > 0f)), (_e5331 > 0f));
+phi_11012_ = select(1f, select(0f, ((_e5336 * _e5336) * (3f - (2f * _e5336))), (_e5303 > 0f)), (_e5331 > 0f));
 }
-let _e5346 = phi_11007_;
+let _e5346 = phi_11012_;
 let _e5347 = (_e5280 * _e5346);
 let _e5352 = (_e5204 != 0u);
 let _e5356 = global_1.member.member_12.member_19;
@@ -1997,18 +1997,18 @@ let _e5379 = select(1f, (_e5362 * _e5373), _e5352);
 let _e5384 = global_1.member.member_12.member.member;
 let _e5395 = global_1.member.member_12.member_1.member;
 let _e5409 = global_1.member.member_12.member_2.member;
-phi_11079_ = type_40(vec3<f32>((_e5257.member * _e5347), (_e5257.member_1 * _e5347), (_e5257.member_2 * _e5347)), (vec3<f32>(((_e5384.member * _e5377) + (_e5395.member * _e5378)), ((_e5384.member_1 * _e5377) + (_e5395.member_1 * _e5378)), ((_e5384.member_2 * _e5377) + (_e5395.member_2 * _e5378))) + vec3<f32>((_e5409.member * _e5379), (_e5409.member_1 * _e5379), (_e5409.member_2 * _e5379))));
+phi_11084_ = type_40(vec3<f32>((_e5257.member * _e5347), (_e5257.member_1 * _e5347), (_e5257.member_2 * _e5347)), (vec3<f32>(((_e5384.member * _e5377) + (_e5395.member * _e5378)), ((_e5384.member_1 * _e5377) + (_e5395.member_1 * _e5378)), ((_e5384.member_2 * _e5377) + (_e5395.member_2 * _e5378))) + vec3<f32>((_e5409.member * _e5379), (_e5409.member_1 * _e5379), (_e5409.member_2 * _e5379))));
 }
-let _e5438 = phi_11079_;
-phi_11084_ = _e5199;
-phi_11086_ = _e4514.member_2;
-phi_11090_ = _e4300;
-phi_11092_ = 0i;
+let _e5438 = phi_11084_;
+phi_11089_ = _e5199;
+phi_11091_ = _e4514.member_2;
+phi_11097_ = _e4300;
+phi_11099_ = 0i;
 loop {
-let _e5440 = phi_11084_;
-let _e5442 = phi_11086_;
-let _e5444 = phi_11090_;
-let _e5446 = phi_11092_;
+let _e5440 = phi_11089_;
+let _e5442 = phi_11091_;
+let _e5444 = phi_11097_;
+let _e5446 = phi_11099_;
 local_62 = _e5440;
 local_63 = _e5440;
 local_64 = _e5440;
@@ -2182,7 +2182,7 @@ let _e5873 = select(select(select(select(select(select(0f, _e5521.member, _e5654
 let _e5874 = select(select(select(select(select(select(0f, _e5521.member_1, _e5654), _e5521.member_1, _e5694), _e5592.member_1, _e5734), _e5592.member_1, _e5774), _e5600.member_1, _e5814), _e5600.member_1, _e5854);
 let _e5875 = select(select(select(select(select(select(1f, _e5521.member_2, _e5654), _e5521.member_2, _e5694), _e5592.member_2, _e5734), _e5592.member_2, _e5774), _e5600.member_2, _e5814), _e5600.member_2, _e5854);
 if _e4305 {
-phi_12567_ = type_39(_e5860, vec3<f32>(_e5861, _e5862, _e5863), _e5865, vec3<f32>(_e5866, _e5867, _e5868), _e5870, _e5872, vec3<f32>(_e5873, _e5874, _e5875));
+phi_12574_ = type_39(_e5860, vec3<f32>(_e5861, _e5862, _e5863), _e5865, vec3<f32>(_e5866, _e5867, _e5868), _e5870, _e5872, vec3<f32>(_e5873, _e5874, _e5875));
 } else {
 let _e5881 = global_1.member.member_16.member_1;
 let _e5882 = (_e5881 != 0u);
@@ -2260,26 +2260,26 @@ let _e6161 = select(2f, select(0f, _e6153, (_e6134 < 0f)), (_e6135 > 0f));
 let _e6162 = (_e6134 > _e6100);
 let _e6166 = ((_e6157 > _e6092) || ((_e6157 == _e6092) && _e6162));
 let _e6167 = (_e6161 < _e6096);
-phi_12567_ = type_39(select(_e6092, _e6157, _e6166), vec3<f32>(select(select(select(select(_e5861, _e5912.member, _e5938), _e5988.member, _e6014), _e6064.member, _e6090), _e6140.member, _e6166), select(select(select(select(_e5862, _e5912.member_1, _e5938), _e5988.member_1, _e6014), _e6064.member_1, _e6090), _e6140.member_1, _e6166), select(select(select(select(_e5863, _e5912.member_2, _e5938), _e5988.member_2, _e6014), _e6064.member_2, _e6090), _e6140.member_2, _e6166)), select(_e6096, _e6161, _e6167), vec3<f32>(select(select(select(select(_e5866, _e5912.member, _e5939), _e5988.member, _e6015), _e6064.member, _e6091), _e6140.member, _e6167), select(select(select(select(_e5867, _e5912.member_1, _e5939), _e5988.member_1, _e6015), _e6064.member_1, _e6091), _e6140.member_1, _e6167), select(select(select(select(_e5868, _e5912.member_2, _e5939), _e5988.member_2, _e6015), _e6064.member_2, _e6091), _e6140.member_2, _e6167)), select(_e6100, _e6134, _e6162), select(_e6102, _e6135, (_e6135 > _e6102)), vec3<f32>(select(select(select(select(_e5873, _e5912.member, _e5934), _e5988.member, _e6010), _e6064.member, _e6086), _e6140.member, _e6162), select(select(select(select(_e5874, _e5912.member_1, _e5934), _e5988.member_1, _e6010), _e6064.member_1, _e6086), _e6140.member_1, _e6162), select(select(select(select(_e5875, _e5912.member_2, _e5934), _e5988.member_2, _e6010), _e6064.member_2, _e6086), _e6140.member_2, _e6162)));
+phi_12574_ = type_39(select(_e6092, _e6157, _e6166), vec3<f32>(select(select(select(select(_e5861, _e5912.member, _e5938), _e5988.member, _e6014), _e6064.member, _e6090), _e6140.member, _e6166), select(select(select(select(_e5862, _e5912.member_1, _e5938), _e5988.member_1, _e6014), _e6064.member_1, _e6090), _e6140.member_1, _e6166), select(select(select(select(_e5863, _e5912.member_2, _e5938), _e5988.member_2, _e6014), _e6064.member_2, _e6090), _e6140.member_2, _e6166)), select(_e6096, _e6161, _e6167), vec3<f32>(select(select(select(select(_e5866, _e5912.member, _e5939), _e5988.member, _e6015), _e6064.member, _e6091), _e6140.member, _e6167), select(select(select(select(_e5867, _e5912.member_1, _e5939), _e5988.member_1, _e6015), _e6064.member_1, _e6091), _e6140.member_1, _e6167), select(select(select(select(_e5868, _e5912.member_2, _e5939), _e5988.member_2, _e6015), _e6064.member_2, _e6091), _e6140.member_2, _e6167)), select(_e6100, _e6134, _e6162), select(_e6102, _e6135, (_e6135 > _e6102)), vec3<f32>(select(select(select(select(_e5873, _e5912.member, _e5934), _e5988.member, _e6010), _e6064.member, _e6086), _e6140.member, _e6162), select(select(select(select(_e5874, _e5912.member_1, _e5934), _e5988.member_1, _e6010), _e6064.member_1, _e6086), _e6140.member_1, _e6162), select(select(select(select(_e5875, _e5912.member_2, _e5934), _e5988.member_2, _e6010), _e6064.member_2, _e6086), _e6140.member_2, _e6162)));
 }
-let _e6187 = phi_12567_;
+let _e6187 = phi_12574_;
 if _e5453 {
-phi_12579_ = (_e6187.member_2 <= 1f);
+phi_12586_ = (_e6187.member_2 <= 1f);
 } else {
-phi_12579_ = ((_e6187.member <= 1f) && (_e6187.member < _e6187.member_2));
+phi_12586_ = ((_e6187.member <= 1f) && (_e6187.member < _e6187.member_2));
 }
-let _e6195 = phi_12579_;
+let _e6195 = phi_12586_;
 if (!(_e5453) && !(_e6195)) {
-phi_44216_ = type_34(_e5440.member, _e5440.member_1, _e5440.member_2, 3f, _e5440.member_4, _e5440.member_5, _e5440.member_6, _e5440.member_7, _e5440.member_8, _e5440.member_9, _e5440.member_10, _e5440.member_11, _e5440.member_12);
-phi_44217_ = _e5442;
-phi_44219_ = _e5444;
+phi_44237_ = type_34(_e5440.member, _e5440.member_1, _e5440.member_2, 3f, _e5440.member_4, _e5440.member_5, _e5440.member_6, _e5440.member_7, _e5440.member_8, _e5440.member_9, _e5440.member_10, _e5440.member_11, _e5440.member_12);
+phi_44238_ = _e5442;
+phi_44241_ = _e5444;
 } else {
 if _e5453 {
-phi_12594_ = _e6187.member_3;
+phi_12601_ = _e6187.member_3;
 } else {
-phi_12594_ = _e6187.member_1;
+phi_12601_ = _e6187.member_1;
 }
-let _e6202 = phi_12594_;
+let _e6202 = phi_12601_;
 let _e6203 = select(_e6187.member, _e6187.member_2, _e5453);
 let _e6207 = select(1f, _e6203, _e6195);
 let _e6211 = (_e5440.member.x + ((_e5547 - _e5440.member.x) * _e6207));
@@ -2305,7 +2305,7 @@ let _e6297 = global_1.member.member_15.member.member_1;
 let _e6304 = select(_e6292.member, _e6281.member, _e6275);
 let _e6305 = select(_e6292.member_1, _e6281.member_1, _e6275);
 let _e6306 = select(_e6292.member_2, _e6281.member_2, _e6275);
-let _e6316 = (_e6238 || _e6267);
+let _e6317 = (_e6238 || _e6267);
 let _e6323 = ((((_e578.member.member * _e6211) + (_e578.member.member_1 * _e6212)) + (_e578.member.member_2 * _e6213)) + _e578.member_1);
 let _e6329 = ((((_e593.member.member * _e6211) + (_e593.member.member_1 * _e6212)) + (_e593.member.member_2 * _e6213)) + _e593.member_1);
 let _e6335 = ((((_e608.member.member * _e6211) + (_e608.member.member_1 * _e6212)) + (_e608.member.member_2 * _e6213)) + _e608.member_1);
@@ -2318,7 +2318,7 @@ let _e7937 = select(_e5618, _e6335, (_e6335 > _e5618));
 let _e7939 = select(_e5633, _e7937, (_e7937 < _e5633));
 let _e7944 = global_1.member.member_8.member_15;
 if (_e7944 == 0u) {
-phi_12954_ = vec3<f32>(_e7931, _e7935, _e7939);
+phi_12961_ = vec3<f32>(_e7931, _e7935, _e7939);
 } else {
 let _e7946 = (_e7931 + 0.5f);
 let _e7947 = (_e5503 - 1f);
@@ -2335,9 +2335,9 @@ let _e7983 = (_e5513 - 1f);
 let _e7985 = select(0f, _e7982, (_e7982 > 0f));
 let _e7987 = select(_e7983, _e7985, (_e7985 < _e7983));
 let _e7994 = select(0i, select(select(i32(_e7987), i32(-2147483648), (_e7987 < -2147483600f)), 2147483647i, (_e7987 > 2147483500f)), (_e7987 == _e7987));
-phi_12954_ = vec3<f32>(f32((_e7958 - select(0i, 1i, (_e7951 < f32(_e7958))))), f32((_e7976 - select(0i, 1i, (_e7969 < f32(_e7976))))), f32((_e7994 - select(0i, 1i, (_e7987 < f32(_e7994))))));
+phi_12961_ = vec3<f32>(f32((_e7958 - select(0i, 1i, (_e7951 < f32(_e7958))))), f32((_e7976 - select(0i, 1i, (_e7969 < f32(_e7976))))), f32((_e7994 - select(0i, 1i, (_e7987 < f32(_e7994))))));
 }
-let _e8002 = phi_12954_;
+let _e8002 = phi_12961_;
 let _e8005 = select(-1f, _e8002.x, (_e8002.x > -1f));
 let _e8007 = select(_e5503, _e8005, (_e8005 < _e5503));
 let _e8014 = select(0i, select(select(i32(_e8007), i32(-2147483648), (_e8007 < -2147483600f)), 2147483647i, (_e8007 > 2147483500f)), (_e8007 == _e8007));
@@ -2721,7 +2721,7 @@ if _e627 {
 let _e9675 = ((0.5f * (_e8966 - _e8960)) * _e9224);
 let _e9676 = ((0.5f * (_e8978 - _e8972)) * _e9224);
 let _e9677 = ((0.5f * (_e8990 - _e8984)) * _e9224);
-phi_18359_ = type_36(_e9186, vec3<f32>(_e9675, _e9676, _e9677), vec3<f32>((_e9675 * _e9186), (_e9676 * _e9186), (_e9677 * _e9186)));
+phi_18366_ = type_36(_e9186, vec3<f32>(_e9675, _e9676, _e9677), vec3<f32>((_e9675 * _e9186), (_e9676 * _e9186), (_e9677 * _e9186)));
 } else {
 local_35 = _e8960;
 let _e9225 = local_35;
@@ -2870,9 +2870,9 @@ let _e9650 = ((_e9171 + (f32(bitcast<i32>((_e9635 >> bitcast<u32>(12u)))) * _e91
 let _e9651 = (_e9366 - _e9295);
 let _e9653 = (_e9508 - _e9437);
 let _e9655 = (_e9650 - _e9579);
-phi_18359_ = type_36(_e9186, vec3<f32>((0.5f * _e9651), (0.5f * _e9653), (0.5f * _e9655)), vec3<f32>((0.25f * (_e9651 * (_e9366 + _e9295))), (0.25f * (_e9653 * (_e9508 + _e9437))), (0.25f * (_e9655 * (_e9650 + _e9579)))));
+phi_18366_ = type_36(_e9186, vec3<f32>((0.5f * _e9651), (0.5f * _e9653), (0.5f * _e9655)), vec3<f32>((0.25f * (_e9651 * (_e9366 + _e9295))), (0.25f * (_e9653 * (_e9508 + _e9437))), (0.25f * (_e9655 * (_e9650 + _e9579)))));
 }
-let _e9685 = phi_18359_;
+let _e9685 = phi_18366_;
 let _e9700 = select(0f, 1f, ((((((_e6323 >= _e5608) && (_e6323 <= _e5623)) && (_e6329 >= _e5613)) && (_e6329 <= _e5628)) && (_e6335 >= _e5618)) && (_e6335 <= _e5633)));
 let _e9702 = (0.5f * (_e8966 - _e8960));
 let _e9704 = (0.5f * (_e8978 - _e8972));
@@ -2889,7 +2889,7 @@ let _e9760 = global_1.member.member_8.member_2.member.member_2;
 let _e9765 = (((_e9712 * _e9702) + (_e9730 * _e9704)) + (_e9748 * _e9706));
 let _e9770 = (((_e9718 * _e9702) + (_e9736 * _e9704)) + (_e9754 * _e9706));
 let _e9775 = (((_e9724 * _e9702) + (_e9742 * _e9704)) + (_e9760 * _e9706));
-phi_20825_ = type_37(_e8954, vec3<f32>((_e9765 * _e9700), (_e9770 * _e9700), (_e9775 * _e9700)), vec3<f32>(_e9765, _e9770, _e9775), _e9685.member, vec3<f32>(((((_e9712 * _e9685.member_2.x) + (_e9730 * _e9685.member_2.y)) + (_e9748 * _e9685.member_2.z)) * _e9700), ((((_e9718 * _e9685.member_2.x) + (_e9736 * _e9685.member_2.y)) + (_e9754 * _e9685.member_2.z)) * _e9700), ((((_e9724 * _e9685.member_2.x) + (_e9742 * _e9685.member_2.y)) + (_e9760 * _e9685.member_2.z)) * _e9700)), vec3<f32>(((((_e9712 * _e9685.member_1.x) + (_e9730 * _e9685.member_1.y)) + (_e9748 * _e9685.member_1.z)) * _e9700), ((((_e9718 * _e9685.member_1.x) + (_e9736 * _e9685.member_1.y)) + (_e9754 * _e9685.member_1.z)) * _e9700), ((((_e9724 * _e9685.member_1.x) + (_e9742 * _e9685.member_1.y)) + (_e9760 * _e9685.member_1.z)) * _e9700)));
+phi_20832_ = type_37(_e8954, vec3<f32>((_e9765 * _e9700), (_e9770 * _e9700), (_e9775 * _e9700)), vec3<f32>(_e9765, _e9770, _e9775), _e9685.member, vec3<f32>(((((_e9712 * _e9685.member_2.x) + (_e9730 * _e9685.member_2.y)) + (_e9748 * _e9685.member_2.z)) * _e9700), ((((_e9718 * _e9685.member_2.x) + (_e9736 * _e9685.member_2.y)) + (_e9754 * _e9685.member_2.z)) * _e9700), ((((_e9724 * _e9685.member_2.x) + (_e9742 * _e9685.member_2.y)) + (_e9760 * _e9685.member_2.z)) * _e9700)), vec3<f32>(((((_e9712 * _e9685.member_1.x) + (_e9730 * _e9685.member_1.y)) + (_e9748 * _e9685.member_1.z)) * _e9700), ((((_e9718 * _e9685.member_1.x) + (_e9736 * _e9685.member_1.y)) + (_e9754 * _e9685.member_1.z)) * _e9700), ((((_e9724 * _e9685.member_1.x) + (_e9742 * _e9685.member_1.y)) + (_e9760 * _e9685.member_1.z)) * _e9700)));
 } else {
 if (_e279.member_2 == 8u) {
 let _e6785 = select(_e5608, _e6323, (_e6323 > _e5608));
@@ -2900,7 +2900,7 @@ let _e6793 = select(_e5618, _e6335, (_e6335 > _e5618));
 let _e6795 = select(_e5633, _e6793, (_e6793 < _e5633));
 let _e6800 = global_1.member.member_8.member_15;
 if (_e6800 == 0u) {
-phi_18706_ = vec3<f32>(_e6787, _e6791, _e6795);
+phi_18713_ = vec3<f32>(_e6787, _e6791, _e6795);
 } else {
 let _e6802 = (_e6787 + 0.5f);
 let _e6803 = (_e5503 - 1f);
@@ -2917,9 +2917,9 @@ let _e6839 = (_e5513 - 1f);
 let _e6841 = select(0f, _e6838, (_e6838 > 0f));
 let _e6843 = select(_e6839, _e6841, (_e6841 < _e6839));
 let _e6850 = select(0i, select(select(i32(_e6843), i32(-2147483648), (_e6843 < -2147483600f)), 2147483647i, (_e6843 > 2147483500f)), (_e6843 == _e6843));
-phi_18706_ = vec3<f32>(f32((_e6814 - select(0i, 1i, (_e6807 < f32(_e6814))))), f32((_e6832 - select(0i, 1i, (_e6825 < f32(_e6832))))), f32((_e6850 - select(0i, 1i, (_e6843 < f32(_e6850))))));
+phi_18713_ = vec3<f32>(f32((_e6814 - select(0i, 1i, (_e6807 < f32(_e6814))))), f32((_e6832 - select(0i, 1i, (_e6825 < f32(_e6832))))), f32((_e6850 - select(0i, 1i, (_e6843 < f32(_e6850))))));
 }
-let _e6858 = phi_18706_;
+let _e6858 = phi_18713_;
 let _e6861 = select(-1f, _e6858.x, (_e6858.x > -1f));
 let _e6863 = select(_e5503, _e6861, (_e6861 < _e5503));
 let _e6870 = select(0i, select(select(i32(_e6863), i32(-2147483648), (_e6863 < -2147483600f)), 2147483647i, (_e6863 > 2147483500f)), (_e6863 == _e6863));
@@ -3221,8 +3221,8 @@ let _e7888 = global_1.member.member_8.member_1.member.member_2;
 let _e7894 = global_1.member.member_8.member_2.member.member;
 let _e7900 = global_1.member.member_8.member_2.member.member_1;
 let _e7906 = global_1.member.member_8.member_2.member.member_2;
-phi_20822_ = select(1e9f, _e7808, (_e7808 < 1e9f));
-phi_20823_ = vec3<f32>((((_e7858 * _e7848) + (_e7876 * _e7850)) + (_e7894 * _e7852)), (((_e7864 * _e7848) + (_e7882 * _e7850)) + (_e7900 * _e7852)), (((_e7870 * _e7848) + (_e7888 * _e7850)) + (_e7906 * _e7852)));
+phi_20829_ = select(1e9f, _e7808, (_e7808 < 1e9f));
+phi_20830_ = vec3<f32>((((_e7858 * _e7848) + (_e7876 * _e7850)) + (_e7894 * _e7852)), (((_e7864 * _e7848) + (_e7882 * _e7850)) + (_e7900 * _e7852)), (((_e7870 * _e7848) + (_e7888 * _e7850)) + (_e7906 * _e7852)));
 } else {
 let _e6338 = select(_e5608, _e6323, (_e6323 > _e5608));
 let _e6340 = select(_e5623, _e6338, (_e6338 < _e5623));
@@ -3232,7 +3232,7 @@ let _e6346 = select(_e5618, _e6335, (_e6335 > _e5618));
 let _e6348 = select(_e5633, _e6346, (_e6346 < _e5633));
 let _e6353 = global_1.member.member_8.member_15;
 if (_e6353 == 0u) {
-phi_20293_ = vec3<f32>(_e6340, _e6344, _e6348);
+phi_20300_ = vec3<f32>(_e6340, _e6344, _e6348);
 } else {
 let _e6355 = (_e6340 + 0.5f);
 let _e6356 = (_e5503 - 1f);
@@ -3249,9 +3249,9 @@ let _e6392 = (_e5513 - 1f);
 let _e6394 = select(0f, _e6391, (_e6391 > 0f));
 let _e6396 = select(_e6392, _e6394, (_e6394 < _e6392));
 let _e6403 = select(0i, select(select(i32(_e6396), i32(-2147483648), (_e6396 < -2147483600f)), 2147483647i, (_e6396 > 2147483500f)), (_e6396 == _e6396));
-phi_20293_ = vec3<f32>(f32((_e6367 - select(0i, 1i, (_e6360 < f32(_e6367))))), f32((_e6385 - select(0i, 1i, (_e6378 < f32(_e6385))))), f32((_e6403 - select(0i, 1i, (_e6396 < f32(_e6403))))));
+phi_20300_ = vec3<f32>(f32((_e6367 - select(0i, 1i, (_e6360 < f32(_e6367))))), f32((_e6385 - select(0i, 1i, (_e6378 < f32(_e6385))))), f32((_e6403 - select(0i, 1i, (_e6396 < f32(_e6403))))));
 }
-let _e6411 = phi_20293_;
+let _e6411 = phi_20300_;
 let _e6414 = select(-1f, _e6411.x, (_e6411.x > -1f));
 let _e6416 = select(_e5503, _e6414, (_e6414 < _e5503));
 let _e6423 = select(0i, select(select(i32(_e6416), i32(-2147483648), (_e6416 < -2147483600f)), 2147483647i, (_e6416 > 2147483500f)), (_e6416 == _e6416));
@@ -3353,16 +3353,16 @@ let _e6776 = global_1.member.member_8.member_7;
 let _e6778 = (((_e6657 + (((_e6708 + (((_e6748 + ((f32(bitcast<i32>(((_e6741 >> bitcast<u32>((_e6749 & 31u))) & 255u))) - _e6748) * _e6756)) - _e6708) * _e6760)) - _e6657) * _e6765)) - _e6772) * _e6776);
 let _e6779 = -(1e9f);
 let _e6781 = select(_e6779, _e6778, (_e6778 > _e6779));
-phi_20822_ = select(1e9f, _e6781, (_e6781 < 1e9f));
-phi_20823_ = vec3<f32>(0f, 0f, 0f);
+phi_20829_ = select(1e9f, _e6781, (_e6781 < 1e9f));
+phi_20830_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e7924 = phi_20822_;
-let _e7926 = phi_20823_;
-phi_20825_ = type_37(_e7924, vec3<f32>(0f, 0f, 0f), _e7926, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e7924 = phi_20829_;
+let _e7926 = phi_20830_;
+phi_20832_ = type_37(_e7924, vec3<f32>(0f, 0f, 0f), _e7926, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e9827 = phi_20825_;
+let _e9827 = phi_20832_;
 if _e4305 {
-phi_21350_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_21357_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e9831 = global_1.member.member_16.member;
 let _e9842 = ((((_e9831.member.member * _e5440.member.x) + (_e9831.member.member_1 * _e5440.member.y)) + (_e9831.member.member_2 * _e5440.member.z)) + _e9831.member_1);
@@ -3436,9 +3436,9 @@ let _e10049 = global_1.member.member_19.member_1;
 let _e10050 = (_e10049 != 0u);
 let _e10055 = select(0f, _e10043, _e10050);
 let _e10056 = select(1f, _e10045, _e10050);
-phi_21350_ = type_38(type_35(select(_e10043, _e9993, (_e9993 > _e10043)), select(_e10045, _e9995, (_e9995 < _e10045))), type_35(select(_e10055, _e9999, (_e9999 > _e10055)), select(_e10056, _e10001, (_e10001 < _e10056))), ((((1f * select(1f, 0f, (_e9873 && _e9864))) * select(1f, 0f, (_e9932 && _e9923))) * select(1f, 0f, (_e9991 && _e9982))) * select(1f, 0f, (_e10050 && _e10041))));
+phi_21357_ = type_38(type_35(select(_e10043, _e9993, (_e9993 > _e10043)), select(_e10045, _e9995, (_e9995 < _e10045))), type_35(select(_e10055, _e9999, (_e9999 > _e10055)), select(_e10056, _e10001, (_e10001 < _e10056))), ((((1f * select(1f, 0f, (_e9873 && _e9864))) * select(1f, 0f, (_e9932 && _e9923))) * select(1f, 0f, (_e9991 && _e9982))) * select(1f, 0f, (_e10050 && _e10041))));
 }
-let _e10068 = phi_21350_;
+let _e10068 = phi_21357_;
 let _e10071 = (select(0f, (_e6203 - 0.5f), _e6195) * _e5535);
 let _e10075 = (_e5540 + (_e5459 * _e10071));
 let _e10076 = (_e5541 + (_e5461 * _e10071));
@@ -3452,7 +3452,7 @@ let _e10089 = select(_e5633, _e10087, (_e10087 < _e5633));
 let _e10094 = global_1.member.member_8.member_15;
 let _e10095 = (_e10094 == 0u);
 if _e10095 {
-phi_21546_ = vec3<f32>(_e10081, _e10085, _e10089);
+phi_21553_ = vec3<f32>(_e10081, _e10085, _e10089);
 } else {
 let _e10096 = (_e10081 + 0.5f);
 let _e10097 = (_e5503 - 1f);
@@ -3469,9 +3469,9 @@ let _e10133 = (_e5513 - 1f);
 let _e10135 = select(0f, _e10132, (_e10132 > 0f));
 let _e10137 = select(_e10133, _e10135, (_e10135 < _e10133));
 let _e10144 = select(0i, select(select(i32(_e10137), i32(-2147483648), (_e10137 < -2147483600f)), 2147483647i, (_e10137 > 2147483500f)), (_e10137 == _e10137));
-phi_21546_ = vec3<f32>(f32((_e10108 - select(0i, 1i, (_e10101 < f32(_e10108))))), f32((_e10126 - select(0i, 1i, (_e10119 < f32(_e10126))))), f32((_e10144 - select(0i, 1i, (_e10137 < f32(_e10144))))));
+phi_21553_ = vec3<f32>(f32((_e10108 - select(0i, 1i, (_e10101 < f32(_e10108))))), f32((_e10126 - select(0i, 1i, (_e10119 < f32(_e10126))))), f32((_e10144 - select(0i, 1i, (_e10137 < f32(_e10144))))));
 }
-let _e10152 = phi_21546_;
+let _e10152 = phi_21553_;
 let _e10155 = select(-1f, _e10152.x, (_e10152.x > -1f));
 let _e10157 = select(_e5503, _e10155, (_e10155 < _e5503));
 let _e10164 = select(0i, select(select(i32(_e10157), i32(-2147483648), (_e10157 < -2147483600f)), 2147483647i, (_e10157 > 2147483500f)), (_e10157 == _e10157));
@@ -3650,7 +3650,7 @@ let _e10760 = (_e10725 == 0f);
 let _e10777 = (_e5536 * _e10068.member_2);
 let _e10794 = (_e10094 != 0u);
 let _e10795 = select(select(_e9827.member, _e5440.member_2, _e5453), _e9827.member, _e10794);
-let _e10796 = select(1f, select(_e6242, _e6271, _e6275), _e6316);
+let _e10796 = select(1f, select(_e6242, _e6271, _e6275), _e6317);
 let _e10797 = (_e6323 - _e5557);
 let _e10801 = (bitcast<f32>((bitcast<u32>(_e10797) & 2147483647u)) < 1e-12f);
 let _e10803 = (1f / select(_e10797, 1f, _e10801));
@@ -4081,19 +4081,19 @@ let _e12429 = (((1f - _e12417) + (_e12363 * select(0f, _e12419, (_e12419 > 0f)))
 let _e12439 = (_e12364 > 0f);
 let _e12441 = (1f - _e12426);
 let _e12450 = (_e12425 / select(1e-12f, _e12441, (_e12441 > 1e-12f)));
-phi_26413_ = type_43(select(_e12141, _e12426, _e12439), select(_e12142, _e12441, _e12439), _e12091, vec3<f32>(select(_e12150, ((_e12150 * _e12429) + (_e12324 * _e12425)), _e12439), select(_e12152, ((_e12152 * _e12429) + (_e12334 * _e12425)), _e12439), select(_e12154, ((_e12154 * _e12429) + (_e12344 * _e12425)), _e12439)));
-phi_26414_ = type_41(_e12363, _e12364, vec3<f32>(_e12324, _e12334, _e12344), _e12366);
-phi_26415_ = select(0f, select(1f, _e12450, (_e12450 < 1f)), _e12439);
+phi_26420_ = type_43(select(_e12141, _e12426, _e12439), select(_e12142, _e12441, _e12439), _e12091, vec3<f32>(select(_e12150, ((_e12150 * _e12429) + (_e12324 * _e12425)), _e12439), select(_e12152, ((_e12152 * _e12429) + (_e12334 * _e12425)), _e12439), select(_e12154, ((_e12154 * _e12429) + (_e12344 * _e12425)), _e12439)));
+phi_26421_ = type_41(_e12363, _e12364, vec3<f32>(_e12324, _e12334, _e12344), _e12366);
+phi_26422_ = select(0f, select(1f, _e12450, (_e12450 < 1f)), _e12439);
 } else {
-phi_26413_ = type_43(_e12141, _e12142, _e12091, (_e12148 * _e12146));
-phi_26414_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_26415_ = 0f;
+phi_26420_ = type_43(_e12141, _e12142, _e12091, (_e12148 * _e12146));
+phi_26421_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_26422_ = 0f;
 }
-let _e12455 = phi_26413_;
-let _e12457 = phi_26414_;
-let _e12459 = phi_26415_;
+let _e12455 = phi_26420_;
+let _e12457 = phi_26421_;
+let _e12459 = phi_26422_;
 if (_e623 || _e626) {
-phi_42603_ = _e5438;
+phi_42616_ = _e5438;
 } else {
 let _e12462 = select(_e10884, _e10068.member.member, (_e10068.member.member > _e10884));
 let _e12470 = (_e5440.member + vec3<f32>((_e10889 * _e10796), (_e10890 * _e10796), (_e10891 * _e10796)));
@@ -4142,23 +4142,23 @@ let _e12645 = local_61.member;
 let _e12648 = (((2f * _e12645) * _e12644) * _e10908);
 let _e12652 = (_e12457.member_1 > 0f);
 let _e12653 = select(select(select(1f, _e12648, (_e12648 < 1f)), 0f, _e10794), 1f, _e12652);
-let _e12654 = (_e12644 * _e12653);
-let _e12655 = global_1.member.member_12.member_19;
-let _e12659 = (((((_e12579.member.member * _e12571) + (_e12579.member.member_1 * _e12572)) + (_e12579.member.member_2 * _e12573)) + _e12579.member_1) - _e12655.member);
-let _e12660 = (((((_e12594.member.member * _e12571) + (_e12594.member.member_1 * _e12572)) + (_e12594.member.member_2 * _e12573)) + _e12594.member_1) - _e12655.member_1);
-let _e12661 = (_e12620 - _e12655.member_2);
-let _e12666 = (((_e12659 * _e12659) + (_e12660 * _e12660)) + (_e12661 * _e12661));
-let _e12669 = sqrt(select(0f, _e12666, (_e12666 > 0f)));
-let _e12672 = (1f / select(1e-20f, _e12669, (_e12669 > 1e-20f)));
-let _e12676 = select(0f, (_e12659 * _e12672), _e12630);
-let _e12677 = select(0f, (_e12660 * _e12672), _e12630);
-let _e12678 = select(1f, (_e12661 * _e12672), _e12630);
-let _e12683 = global_1.member.member_12.member.member;
-let _e12694 = global_1.member.member_12.member_1.member;
-let _e12708 = global_1.member.member_12.member_2.member;
-let _e12721 = (_e12571 - ((((_e12683.member * _e12676) + (_e12694.member * _e12677)) + (_e12708.member * _e12678)) * _e12654));
-let _e12722 = (_e12572 - ((((_e12683.member_1 * _e12676) + (_e12694.member_1 * _e12677)) + (_e12708.member_1 * _e12678)) * _e12654));
-let _e12723 = (_e12573 - ((((_e12683.member_2 * _e12676) + (_e12694.member_2 * _e12677)) + (_e12708.member_2 * _e12678)) * _e12654));
+let _e12654 = global_1.member.member_12.member_19;
+let _e12658 = (((((_e12579.member.member * _e12571) + (_e12579.member.member_1 * _e12572)) + (_e12579.member.member_2 * _e12573)) + _e12579.member_1) - _e12654.member);
+let _e12659 = (((((_e12594.member.member * _e12571) + (_e12594.member.member_1 * _e12572)) + (_e12594.member.member_2 * _e12573)) + _e12594.member_1) - _e12654.member_1);
+let _e12660 = (_e12620 - _e12654.member_2);
+let _e12665 = (((_e12658 * _e12658) + (_e12659 * _e12659)) + (_e12660 * _e12660));
+let _e12668 = sqrt(select(0f, _e12665, (_e12665 > 0f)));
+let _e12671 = (1f / select(1e-20f, _e12668, (_e12668 > 1e-20f)));
+let _e12675 = select(0f, (_e12658 * _e12671), _e12630);
+let _e12676 = select(0f, (_e12659 * _e12671), _e12630);
+let _e12677 = select(1f, (_e12660 * _e12671), _e12630);
+let _e12682 = global_1.member.member_12.member.member;
+let _e12693 = global_1.member.member_12.member_1.member;
+let _e12707 = global_1.member.member_12.member_2.member;
+let _e12717 = (_e12644 * _e12653);
+let _e12721 = (_e12571 - ((((_e12682.member * _e12675) + (_e12693.member * _e12676)) + (_e12707.member * _e12677)) * _e12717));
+let _e12722 = (_e12572 - ((((_e12682.member_1 * _e12675) + (_e12693.member_1 * _e12676)) + (_e12707.member_1 * _e12677)) * _e12717));
+let _e12723 = (_e12573 - ((((_e12682.member_2 * _e12675) + (_e12693.member_2 * _e12676)) + (_e12707.member_2 * _e12677)) * _e12717));
 let _e12729 = ((((_e578.member.member * _e12721) + (_e578.member.member_1 * _e12722)) + (_e578.member.member_2 * _e12723)) + _e578.member_1);
 let _e12735 = ((((_e593.member.member * _e12721) + (_e593.member.member_1 * _e12722)) + (_e593.member.member_2 * _e12723)) + _e593.member_1);
 let _e12741 = ((((_e608.member.member * _e12721) + (_e608.member.member_1 * _e12722)) + (_e608.member.member_2 * _e12723)) + _e608.member_1);
@@ -4169,7 +4169,7 @@ let _e12749 = select(_e5628, _e12747, (_e12747 < _e5628));
 let _e12751 = select(_e5618, _e12741, (_e12741 > _e5618));
 let _e12753 = select(_e5633, _e12751, (_e12751 < _e5633));
 if _e10095 {
-phi_27003_ = vec3<f32>(_e12745, _e12749, _e12753);
+phi_27016_ = vec3<f32>(_e12745, _e12749, _e12753);
 } else {
 let _e12755 = (_e12745 + 0.5f);
 let _e12756 = (_e5503 - 1f);
@@ -4186,9 +4186,9 @@ let _e12792 = (_e5513 - 1f);
 let _e12794 = select(0f, _e12791, (_e12791 > 0f));
 let _e12796 = select(_e12792, _e12794, (_e12794 < _e12792));
 let _e12803 = select(0i, select(select(i32(_e12796), i32(-2147483648), (_e12796 < -2147483600f)), 2147483647i, (_e12796 > 2147483500f)), (_e12796 == _e12796));
-phi_27003_ = vec3<f32>(f32((_e12767 - select(0i, 1i, (_e12760 < f32(_e12767))))), f32((_e12785 - select(0i, 1i, (_e12778 < f32(_e12785))))), f32((_e12803 - select(0i, 1i, (_e12796 < f32(_e12803))))));
+phi_27016_ = vec3<f32>(f32((_e12767 - select(0i, 1i, (_e12760 < f32(_e12767))))), f32((_e12785 - select(0i, 1i, (_e12778 < f32(_e12785))))), f32((_e12803 - select(0i, 1i, (_e12796 < f32(_e12803))))));
 }
-let _e12811 = phi_27003_;
+let _e12811 = phi_27016_;
 let _e12814 = select(-1f, _e12811.x, (_e12811.x > -1f));
 let _e12816 = select(_e5503, _e12814, (_e12814 < _e5503));
 let _e12823 = select(0i, select(select(i32(_e12816), i32(-2147483648), (_e12816 < -2147483600f)), 2147483647i, (_e12816 > 2147483500f)), (_e12816 == _e12816));
@@ -4279,9 +4279,9 @@ let _e13128 = local_13[2u];
 let _e13133 = (((_e13020 + (((_e13071 + (((_e13111 + ((f32(bitcast<i32>(((_e13104 >> bitcast<u32>((_e13112 & 31u))) & 255u))) - _e13111) * _e13119)) - _e13071) * _e13123)) - _e13020) * _e13128)) - _e10513) * _e10517);
 let _e13135 = select(_e10520, _e13133, (_e13133 > _e10520));
 let _e13137 = select(1e9f, _e13135, (_e13135 < 1e9f));
-let _e13138 = (_e12654 * _e10908);
+let _e13138 = (_e12717 * _e10908);
 if _e4305 {
-phi_28048_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_28061_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e13142 = global_1.member.member_16.member;
 let _e13153 = ((((_e13142.member.member * _e12721) + (_e13142.member.member_1 * _e12722)) + (_e13142.member.member_2 * _e12723)) + _e13142.member_1);
@@ -4355,9 +4355,9 @@ let _e13360 = global_1.member.member_19.member_1;
 let _e13361 = (_e13360 != 0u);
 let _e13366 = select(0f, _e13354, _e13361);
 let _e13367 = select(1f, _e13356, _e13361);
-phi_28048_ = type_38(type_35(select(_e13354, _e13304, (_e13304 > _e13354)), select(_e13356, _e13306, (_e13306 < _e13356))), type_35(select(_e13366, _e13310, (_e13310 > _e13366)), select(_e13367, _e13312, (_e13312 < _e13367))), ((((1f * select(1f, 0f, (_e13184 && _e13175))) * select(1f, 0f, (_e13243 && _e13234))) * select(1f, 0f, (_e13302 && _e13293))) * select(1f, 0f, (_e13361 && _e13352))));
+phi_28061_ = type_38(type_35(select(_e13354, _e13304, (_e13304 > _e13354)), select(_e13356, _e13306, (_e13306 < _e13356))), type_35(select(_e13366, _e13310, (_e13310 > _e13366)), select(_e13367, _e13312, (_e13312 < _e13367))), ((((1f * select(1f, 0f, (_e13184 && _e13175))) * select(1f, 0f, (_e13243 && _e13234))) * select(1f, 0f, (_e13302 && _e13293))) * select(1f, 0f, (_e13361 && _e13352))));
 }
-let _e13379 = phi_28048_;
+let _e13379 = phi_28061_;
 let _e13385 = ((((_e578.member.member * _e12571) + (_e578.member.member_1 * _e12572)) + (_e578.member.member_2 * _e12573)) + _e578.member_1);
 let _e13391 = ((((_e593.member.member * _e12571) + (_e593.member.member_1 * _e12572)) + (_e593.member.member_2 * _e12573)) + _e593.member_1);
 let _e13397 = ((((_e608.member.member * _e12571) + (_e608.member.member_1 * _e12572)) + (_e608.member.member_2 * _e12573)) + _e608.member_1);
@@ -4490,7 +4490,7 @@ let _e14224 = global_3.member[bitcast<u32>(select(0i, _e14219, (_e14219 > 0i)))]
 let _e14234 = (_e14186 + (((bitcast<f32>((((_e14194 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14186) * _e14169));
 let _e14242 = global_3.member[_e11568];
 let _e14251 = global_3.member[_e11588];
-phi_31723_ = type_42((((_e14234 + (((_e14216 + (((bitcast<f32>((((_e14224 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14216) * _e14169)) - _e14234) * (_e14044 - f32(_e14122)))) * (1f - (_e14156 + _e14162))) + (((bitcast<f32>((((_e14242 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14156) + ((bitcast<f32>((((_e14251 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14162))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_31736_ = type_42((((_e14234 + (((_e14216 + (((bitcast<f32>((((_e14224 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14216) * _e14169)) - _e14234) * (_e14044 - f32(_e14122)))) * (1f - (_e14156 + _e14162))) + (((bitcast<f32>((((_e14242 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14156) + ((bitcast<f32>((((_e14251 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e14162))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e13137;
 let _e13519 = local_9;
@@ -4603,9 +4603,9 @@ let _e13926 = (_e13856 + (((bitcast<f32>(((_e13871 & 32767u) << bitcast<u32>(13i
 let _e13935 = (_e13863 + (((bitcast<f32>((((_e13871 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13863) * _e13706));
 let _e13943 = global_3.member[_e11568];
 let _e13957 = global_3.member[_e11588];
-phi_31723_ = type_42((((_e13935 + (((_e13903 + (((bitcast<f32>((((_e13911 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13903) * _e13706)) - _e13935) * _e13704)) * _e13708) + (((bitcast<f32>((((_e13943 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>((((_e13957 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699))), vec3<f32>((((_e13926 + (((_e13896 + (((bitcast<f32>(((_e13911 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13896) * _e13706)) - _e13926) * _e13704)) * _e13708) + (((bitcast<f32>(((_e13943 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>(((_e13957 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699))), (((_e13790 + (((_e13760 + (((bitcast<f32>(((_e13775 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13760) * _e13706)) - _e13790) * _e13704)) * _e13708) + (((bitcast<f32>(((_e13807 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>(((_e13821 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699))), (((_e13799 + (((_e13767 + (((bitcast<f32>((((_e13775 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13767) * _e13706)) - _e13799) * _e13704)) * _e13708) + (((bitcast<f32>((((_e13807 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>((((_e13821 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_31736_ = type_42((((_e13935 + (((_e13903 + (((bitcast<f32>((((_e13911 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13903) * _e13706)) - _e13935) * _e13704)) * _e13708) + (((bitcast<f32>((((_e13943 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>((((_e13957 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699))), vec3<f32>((((_e13926 + (((_e13896 + (((bitcast<f32>(((_e13911 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13896) * _e13706)) - _e13926) * _e13704)) * _e13708) + (((bitcast<f32>(((_e13943 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>(((_e13957 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699))), (((_e13790 + (((_e13760 + (((bitcast<f32>(((_e13775 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13760) * _e13706)) - _e13790) * _e13704)) * _e13708) + (((bitcast<f32>(((_e13807 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>(((_e13821 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699))), (((_e13799 + (((_e13767 + (((bitcast<f32>((((_e13775 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13767) * _e13706)) - _e13799) * _e13704)) * _e13708) + (((bitcast<f32>((((_e13807 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13693) + ((bitcast<f32>((((_e13821 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13699)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14266 = phi_31723_;
+let _e14266 = phi_31736_;
 if _e13518 {
 let _e14479 = -((_e14266.member * (_e13138 * _e13503)));
 let _e14481 = select(-87f, _e14479, (_e14479 > -87f));
@@ -4619,7 +4619,7 @@ let _e14501 = f32(_e14500);
 let _e14505 = ((_e14483 - (_e14501 * 0.6933594f)) - (_e14501 * -2.1219444e-4f));
 let _e14525 = ((1f + (_e14505 * (1f + (_e14505 * (0.5f + (_e14505 * (0.16666667f + (_e14505 * (0.041666668f + (_e14505 * (0.008333334f + (_e14505 * (0.001388889f + (_e14505 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14500 + 127i)) << bitcast<u32>(23i))));
 let _e14526 = (1f - _e14525);
-phi_32074_ = type_43(_e14525, _e14526, vec3<f32>(1f, 1f, 1f), (_e14266.member_2 * (_e14526 / select(1e-12f, _e14266.member, (_e14266.member > 1e-12f)))));
+phi_32087_ = type_43(_e14525, _e14526, vec3<f32>(1f, 1f, 1f), (_e14266.member_2 * (_e14526 / select(1e-12f, _e14266.member, (_e14266.member > 1e-12f)))));
 } else {
 let _e14268 = (_e13138 * select(0f, _e13512, (_e13512 > 0f)));
 let _e14272 = -((_e14266.member_1.x * _e14268));
@@ -4664,9 +4664,9 @@ let _e14444 = f32(_e14443);
 let _e14448 = ((_e14426 - (_e14444 * 0.6933594f)) - (_e14444 * -2.1219444e-4f));
 let _e14468 = ((1f + (_e14448 * (1f + (_e14448 * (0.5f + (_e14448 * (0.16666667f + (_e14448 * (0.041666668f + (_e14448 * (0.008333334f + (_e14448 * (0.001388889f + (_e14448 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14443 + 127i)) << bitcast<u32>(23i))));
 let _e14469 = (1f - _e14468);
-phi_32074_ = type_43(_e14468, _e14469, vec3<f32>(((1f + (_e14298 * (1f + (_e14298 * (0.5f + (_e14298 * (0.16666667f + (_e14298 * (0.041666668f + (_e14298 * (0.008333334f + (_e14298 * (0.001388889f + (_e14298 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14293 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14348 * (1f + (_e14348 * (0.5f + (_e14348 * (0.16666667f + (_e14348 * (0.041666668f + (_e14348 * (0.008333334f + (_e14348 * (0.001388889f + (_e14348 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14343 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14398 * (1f + (_e14398 * (0.5f + (_e14398 * (0.16666667f + (_e14398 * (0.041666668f + (_e14398 * (0.008333334f + (_e14398 * (0.001388889f + (_e14398 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14393 + 127i)) << bitcast<u32>(23i))))), (_e14266.member_2 * (_e14469 / select(1e-12f, _e14266.member, (_e14266.member > 1e-12f)))));
+phi_32087_ = type_43(_e14468, _e14469, vec3<f32>(((1f + (_e14298 * (1f + (_e14298 * (0.5f + (_e14298 * (0.16666667f + (_e14298 * (0.041666668f + (_e14298 * (0.008333334f + (_e14298 * (0.001388889f + (_e14298 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14293 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14348 * (1f + (_e14348 * (0.5f + (_e14348 * (0.16666667f + (_e14348 * (0.041666668f + (_e14348 * (0.008333334f + (_e14348 * (0.001388889f + (_e14348 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14343 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14398 * (1f + (_e14398 * (0.5f + (_e14398 * (0.16666667f + (_e14398 * (0.041666668f + (_e14398 * (0.008333334f + (_e14398 * (0.001388889f + (_e14398 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14393 + 127i)) << bitcast<u32>(23i))))), (_e14266.member_2 * (_e14469 / select(1e-12f, _e14266.member, (_e14266.member > 1e-12f)))));
 }
-let _e14534 = phi_32074_;
+let _e14534 = phi_32087_;
 let _e14543 = (_e12721 - (_e12571 - _e12721));
 let _e14544 = (_e12722 - (_e12572 - _e12722));
 let _e14545 = (_e12723 - (_e12573 - _e12723));
@@ -4680,7 +4680,7 @@ let _e14571 = select(_e5628, _e14569, (_e14569 < _e5628));
 let _e14573 = select(_e5618, _e14563, (_e14563 > _e5618));
 let _e14575 = select(_e5633, _e14573, (_e14573 < _e5633));
 if _e10095 {
-phi_32279_ = vec3<f32>(_e14567, _e14571, _e14575);
+phi_32292_ = vec3<f32>(_e14567, _e14571, _e14575);
 } else {
 let _e14577 = (_e14567 + 0.5f);
 let _e14578 = (_e5503 - 1f);
@@ -4697,9 +4697,9 @@ let _e14614 = (_e5513 - 1f);
 let _e14616 = select(0f, _e14613, (_e14613 > 0f));
 let _e14618 = select(_e14614, _e14616, (_e14616 < _e14614));
 let _e14625 = select(0i, select(select(i32(_e14618), i32(-2147483648), (_e14618 < -2147483600f)), 2147483647i, (_e14618 > 2147483500f)), (_e14618 == _e14618));
-phi_32279_ = vec3<f32>(f32((_e14589 - select(0i, 1i, (_e14582 < f32(_e14589))))), f32((_e14607 - select(0i, 1i, (_e14600 < f32(_e14607))))), f32((_e14625 - select(0i, 1i, (_e14618 < f32(_e14625))))));
+phi_32292_ = vec3<f32>(f32((_e14589 - select(0i, 1i, (_e14582 < f32(_e14589))))), f32((_e14607 - select(0i, 1i, (_e14600 < f32(_e14607))))), f32((_e14625 - select(0i, 1i, (_e14618 < f32(_e14625))))));
 }
-let _e14633 = phi_32279_;
+let _e14633 = phi_32292_;
 let _e14636 = select(-1f, _e14633.x, (_e14633.x > -1f));
 let _e14638 = select(_e5503, _e14636, (_e14636 < _e5503));
 let _e14645 = select(0i, select(select(i32(_e14638), i32(-2147483648), (_e14638 < -2147483600f)), 2147483647i, (_e14638 > 2147483500f)), (_e14638 == _e14638));
@@ -4791,7 +4791,7 @@ let _e14955 = (((_e14842 + (((_e14893 + (((_e14933 + ((f32(bitcast<i32>(((_e1492
 let _e14957 = select(_e10520, _e14955, (_e14955 > _e10520));
 let _e14959 = select(1e9f, _e14957, (_e14957 < 1e9f));
 if _e4305 {
-phi_33324_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_33337_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e14963 = global_1.member.member_16.member;
 let _e14974 = ((((_e14963.member.member * _e14543) + (_e14963.member.member_1 * _e14544)) + (_e14963.member.member_2 * _e14545)) + _e14963.member_1);
@@ -4865,9 +4865,9 @@ let _e15181 = global_1.member.member_19.member_1;
 let _e15182 = (_e15181 != 0u);
 let _e15187 = select(0f, _e15175, _e15182);
 let _e15188 = select(1f, _e15177, _e15182);
-phi_33324_ = type_38(type_35(select(_e15175, _e15125, (_e15125 > _e15175)), select(_e15177, _e15127, (_e15127 < _e15177))), type_35(select(_e15187, _e15131, (_e15131 > _e15187)), select(_e15188, _e15133, (_e15133 < _e15188))), ((((1f * select(1f, 0f, (_e15005 && _e14996))) * select(1f, 0f, (_e15064 && _e15055))) * select(1f, 0f, (_e15123 && _e15114))) * select(1f, 0f, (_e15182 && _e15173))));
+phi_33337_ = type_38(type_35(select(_e15175, _e15125, (_e15125 > _e15175)), select(_e15177, _e15127, (_e15127 < _e15177))), type_35(select(_e15187, _e15131, (_e15131 > _e15187)), select(_e15188, _e15133, (_e15133 < _e15188))), ((((1f * select(1f, 0f, (_e15005 && _e14996))) * select(1f, 0f, (_e15064 && _e15055))) * select(1f, 0f, (_e15123 && _e15114))) * select(1f, 0f, (_e15182 && _e15173))));
 }
-let _e15200 = phi_33324_;
+let _e15200 = phi_33337_;
 let _e15201 = (_e12729 - _e14551);
 let _e15205 = (bitcast<f32>((bitcast<u32>(_e15201) & 2147483647u)) < 1e-12f);
 let _e15207 = (1f / select(_e15201, 1f, _e15205));
@@ -4996,7 +4996,7 @@ let _e16023 = global_3.member[bitcast<u32>(select(0i, _e16018, (_e16018 > 0i)))]
 let _e16033 = (_e15985 + (((bitcast<f32>((((_e15993 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15985) * _e15968));
 let _e16041 = global_3.member[_e11568];
 let _e16050 = global_3.member[_e11588];
-phi_36999_ = type_42((((_e16033 + (((_e16015 + (((bitcast<f32>((((_e16023 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16015) * _e15968)) - _e16033) * (_e15843 - f32(_e15921)))) * (1f - (_e15955 + _e15961))) + (((bitcast<f32>((((_e16041 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15955) + ((bitcast<f32>((((_e16050 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15961))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37012_ = type_42((((_e16033 + (((_e16015 + (((bitcast<f32>((((_e16023 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e16015) * _e15968)) - _e16033) * (_e15843 - f32(_e15921)))) * (1f - (_e15955 + _e15961))) + (((bitcast<f32>((((_e16041 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15955) + ((bitcast<f32>((((_e16050 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15961))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e14959;
 let _e15318 = local_3;
@@ -5109,9 +5109,9 @@ let _e15725 = (_e15655 + (((bitcast<f32>(((_e15670 & 32767u) << bitcast<u32>(13i
 let _e15734 = (_e15662 + (((bitcast<f32>((((_e15670 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15662) * _e15505));
 let _e15742 = global_3.member[_e11568];
 let _e15756 = global_3.member[_e11588];
-phi_36999_ = type_42((((_e15734 + (((_e15702 + (((bitcast<f32>((((_e15710 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15702) * _e15505)) - _e15734) * _e15503)) * _e15507) + (((bitcast<f32>((((_e15742 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>((((_e15756 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498))), vec3<f32>((((_e15725 + (((_e15695 + (((bitcast<f32>(((_e15710 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15695) * _e15505)) - _e15725) * _e15503)) * _e15507) + (((bitcast<f32>(((_e15742 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>(((_e15756 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498))), (((_e15589 + (((_e15559 + (((bitcast<f32>(((_e15574 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15559) * _e15505)) - _e15589) * _e15503)) * _e15507) + (((bitcast<f32>(((_e15606 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>(((_e15620 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498))), (((_e15598 + (((_e15566 + (((bitcast<f32>((((_e15574 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15566) * _e15505)) - _e15598) * _e15503)) * _e15507) + (((bitcast<f32>((((_e15606 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>((((_e15620 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_37012_ = type_42((((_e15734 + (((_e15702 + (((bitcast<f32>((((_e15710 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15702) * _e15505)) - _e15734) * _e15503)) * _e15507) + (((bitcast<f32>((((_e15742 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>((((_e15756 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498))), vec3<f32>((((_e15725 + (((_e15695 + (((bitcast<f32>(((_e15710 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15695) * _e15505)) - _e15725) * _e15503)) * _e15507) + (((bitcast<f32>(((_e15742 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>(((_e15756 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498))), (((_e15589 + (((_e15559 + (((bitcast<f32>(((_e15574 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15559) * _e15505)) - _e15589) * _e15503)) * _e15507) + (((bitcast<f32>(((_e15606 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>(((_e15620 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498))), (((_e15598 + (((_e15566 + (((bitcast<f32>((((_e15574 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15566) * _e15505)) - _e15598) * _e15503)) * _e15507) + (((bitcast<f32>((((_e15606 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15492) + ((bitcast<f32>((((_e15620 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15498)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e16065 = phi_36999_;
+let _e16065 = phi_37012_;
 if _e13518 {
 let _e16278 = -((_e16065.member * (_e13138 * _e15306)));
 let _e16280 = select(-87f, _e16278, (_e16278 > -87f));
@@ -5125,7 +5125,7 @@ let _e16300 = f32(_e16299);
 let _e16304 = ((_e16282 - (_e16300 * 0.6933594f)) - (_e16300 * -2.1219444e-4f));
 let _e16324 = ((1f + (_e16304 * (1f + (_e16304 * (0.5f + (_e16304 * (0.16666667f + (_e16304 * (0.041666668f + (_e16304 * (0.008333334f + (_e16304 * (0.001388889f + (_e16304 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16299 + 127i)) << bitcast<u32>(23i))));
 let _e16325 = (1f - _e16324);
-phi_37350_ = type_43(_e16324, _e16325, vec3<f32>(1f, 1f, 1f), (_e16065.member_2 * (_e16325 / select(1e-12f, _e16065.member, (_e16065.member > 1e-12f)))));
+phi_37363_ = type_43(_e16324, _e16325, vec3<f32>(1f, 1f, 1f), (_e16065.member_2 * (_e16325 / select(1e-12f, _e16065.member, (_e16065.member > 1e-12f)))));
 } else {
 let _e16067 = (_e13138 * select(0f, _e15315, (_e15315 > 0f)));
 let _e16071 = -((_e16065.member_1.x * _e16067));
@@ -5170,20 +5170,20 @@ let _e16243 = f32(_e16242);
 let _e16247 = ((_e16225 - (_e16243 * 0.6933594f)) - (_e16243 * -2.1219444e-4f));
 let _e16267 = ((1f + (_e16247 * (1f + (_e16247 * (0.5f + (_e16247 * (0.16666667f + (_e16247 * (0.041666668f + (_e16247 * (0.008333334f + (_e16247 * (0.001388889f + (_e16247 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16242 + 127i)) << bitcast<u32>(23i))));
 let _e16268 = (1f - _e16267);
-phi_37350_ = type_43(_e16267, _e16268, vec3<f32>(((1f + (_e16097 * (1f + (_e16097 * (0.5f + (_e16097 * (0.16666667f + (_e16097 * (0.041666668f + (_e16097 * (0.008333334f + (_e16097 * (0.001388889f + (_e16097 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16092 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16147 * (1f + (_e16147 * (0.5f + (_e16147 * (0.16666667f + (_e16147 * (0.041666668f + (_e16147 * (0.008333334f + (_e16147 * (0.001388889f + (_e16147 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16142 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16197 * (1f + (_e16197 * (0.5f + (_e16197 * (0.16666667f + (_e16197 * (0.041666668f + (_e16197 * (0.008333334f + (_e16197 * (0.001388889f + (_e16197 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16192 + 127i)) << bitcast<u32>(23i))))), (_e16065.member_2 * (_e16268 / select(1e-12f, _e16065.member, (_e16065.member > 1e-12f)))));
+phi_37363_ = type_43(_e16267, _e16268, vec3<f32>(((1f + (_e16097 * (1f + (_e16097 * (0.5f + (_e16097 * (0.16666667f + (_e16097 * (0.041666668f + (_e16097 * (0.008333334f + (_e16097 * (0.001388889f + (_e16097 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16092 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16147 * (1f + (_e16147 * (0.5f + (_e16147 * (0.16666667f + (_e16147 * (0.041666668f + (_e16147 * (0.008333334f + (_e16147 * (0.001388889f + (_e16147 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16142 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e16197 * (1f + (_e16197 * (0.5f + (_e16197 * (0.16666667f + (_e16197 * (0.041666668f + (_e16197 * (0.008333334f + (_e16197 * (0.001388889f + (_e16197 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16192 + 127i)) << bitcast<u32>(23i))))), (_e16065.member_2 * (_e16268 / select(1e-12f, _e16065.member, (_e16065.member > 1e-12f)))));
 }
-let _e16333 = phi_37350_;
+let _e16333 = phi_37363_;
 let _e16339 = (_e14534.member * _e16333.member);
 let _e16353 = (((_e12563 * _e12563) + (_e12565 * _e12565)) + (_e12567 * _e12567));
 let _e16356 = sqrt(select(0f, _e16353, (_e16353 > 0f)));
 let _e16358 = select(1e-20f, _e16356, (_e16356 > 1e-20f));
 let _e16359 = (_e11277 / _e16358);
-let _e16363 = ((_e12575 - _e13137) / select(1e-20f, _e12654, (_e12654 > 1e-20f)));
+let _e16363 = ((_e12575 - _e13137) / select(1e-20f, _e12717, (_e12717 > 1e-20f)));
 let _e16373 = (_e5440.member.x + (_e12721 - _e12571));
 let _e16374 = (_e5440.member.y + (_e12722 - _e12572));
 let _e16375 = (_e5440.member.z + (_e12723 - _e12573));
 if _e4305 {
-phi_37964_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_37977_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e16379 = global_1.member.member_16.member;
 let _e16390 = ((((_e16379.member.member * _e16373) + (_e16379.member.member_1 * _e16374)) + (_e16379.member.member_2 * _e16375)) + _e16379.member_1);
@@ -5257,9 +5257,9 @@ let _e16597 = global_1.member.member_19.member_1;
 let _e16598 = (_e16597 != 0u);
 let _e16603 = select(0f, _e16591, _e16598);
 let _e16604 = select(1f, _e16593, _e16598);
-phi_37964_ = type_38(type_35(select(_e16591, _e16541, (_e16541 > _e16591)), select(_e16593, _e16543, (_e16543 < _e16593))), type_35(select(_e16603, _e16547, (_e16547 > _e16603)), select(_e16604, _e16549, (_e16549 < _e16604))), ((((1f * select(1f, 0f, (_e16421 && _e16412))) * select(1f, 0f, (_e16480 && _e16471))) * select(1f, 0f, (_e16539 && _e16530))) * select(1f, 0f, (_e16598 && _e16589))));
+phi_37977_ = type_38(type_35(select(_e16591, _e16541, (_e16541 > _e16591)), select(_e16593, _e16543, (_e16543 < _e16593))), type_35(select(_e16603, _e16547, (_e16547 > _e16603)), select(_e16604, _e16549, (_e16549 < _e16604))), ((((1f * select(1f, 0f, (_e16421 && _e16412))) * select(1f, 0f, (_e16480 && _e16471))) * select(1f, 0f, (_e16539 && _e16530))) * select(1f, 0f, (_e16598 && _e16589))));
 }
-let _e16616 = phi_37964_;
+let _e16616 = phi_37977_;
 let _e16622 = ((((_e578.member.member * _e16373) + (_e578.member.member_1 * _e16374)) + (_e578.member.member_2 * _e16375)) + _e578.member_1);
 let _e16628 = ((((_e593.member.member * _e16373) + (_e593.member.member_1 * _e16374)) + (_e593.member.member_2 * _e16375)) + _e593.member_1);
 let _e16634 = ((((_e608.member.member * _e16373) + (_e608.member.member_1 * _e16374)) + (_e608.member.member_2 * _e16375)) + _e608.member_1);
@@ -5366,11 +5366,11 @@ let _e16982 = global_1.member.member_12.member_14.member_1;
 let _e16983 = bitcast<i32>(_e16982);
 let _e16988 = global_1.member.member_12.member_14.member_2;
 if ((((((_e16969 >= 0i) && (_e16969 < _e16977)) && (_e16971 >= 0i)) && (_e16971 < _e16983)) && (_e16967 >= 0i)) && (_e16967 < bitcast<i32>(_e16988))) {
-phi_38671_ = (((((_e16967 * _e16983) + _e16971) * _e16977) + _e16969) * 3i);
+phi_38684_ = (((((_e16967 * _e16983) + _e16971) * _e16977) + _e16969) * 3i);
 } else {
-phi_38671_ = -1i;
+phi_38684_ = -1i;
 }
-let _e17007 = phi_38671_;
+let _e17007 = phi_38684_;
 let _e17008 = (_e17007 + 1i);
 let _e17010 = (bitcast<i32>(_e269) - 1i);
 let _e17012 = select(_e17010, _e17008, (_e17008 < _e17010));
@@ -5419,7 +5419,7 @@ let _e17129 = select(_e17010, _e17127, (_e17127 < _e17010));
 let _e17134 = global_4.member[bitcast<u32>(select(0i, _e17129, (_e17129 > 0i)))];
 let _e17145 = select(1f, (_e17096 + (((_e17117 + (((_e17126 + ((bitcast<f32>(_e17134) - _e17126) * _e17047)) - _e17117) * _e17049)) - _e17096) * _e17051)), _e17052);
 if _e13518 {
-phi_39248_ = vec3(_e17145);
+phi_39261_ = vec3(_e17145);
 } else {
 let _e17150 = global_1.member.member_12.member_12;
 let _e17151 = (_e17150 > 1u);
@@ -5485,12 +5485,12 @@ let _e17324 = bitcast<f32>(_e17323);
 let _e17325 = (_e17295 + 10i);
 let _e17327 = select(_e17010, _e17325, (_e17325 < _e17010));
 let _e17332 = global_4.member[bitcast<u32>(select(0i, _e17327, (_e17327 > 0i)))];
-phi_39248_ = vec3<f32>(_e17145, select(1f, (_e17199 + (((_e17220 + (((_e17229 + ((bitcast<f32>(_e17237) - _e17229) * _e17047)) - _e17220) * _e17049)) - _e17199) * _e17051)), _e17052), select(1f, (_e17294 + (((_e17315 + (((_e17324 + ((bitcast<f32>(_e17332) - _e17324) * _e17047)) - _e17315) * _e17049)) - _e17294) * _e17051)), _e17052));
+phi_39261_ = vec3<f32>(_e17145, select(1f, (_e17199 + (((_e17220 + (((_e17229 + ((bitcast<f32>(_e17237) - _e17229) * _e17047)) - _e17220) * _e17049)) - _e17199) * _e17051)), _e17052), select(1f, (_e17294 + (((_e17315 + (((_e17324 + ((bitcast<f32>(_e17332) - _e17324) * _e17047)) - _e17315) * _e17049)) - _e17294) * _e17051)), _e17052));
 }
-let _e17346 = phi_39248_;
-let _e17347 = (_e16870 - _e12655.member);
-let _e17348 = (_e16876 - _e12655.member_1);
-let _e17349 = (_e16882 - _e12655.member_2);
+let _e17346 = phi_39261_;
+let _e17347 = (_e16870 - _e12654.member);
+let _e17348 = (_e16876 - _e12654.member_1);
+let _e17349 = (_e16882 - _e12654.member_2);
 let _e17354 = (((_e17347 * _e17347) + (_e17348 * _e17348)) + (_e17349 * _e17349));
 let _e17357 = sqrt(select(0f, _e17354, (_e17354 > 0f)));
 let _e17360 = (1f / select(1e-20f, _e17357, (_e17357 > 1e-20f)));
@@ -5555,13 +5555,13 @@ let _e17615 = (_e17364 + select(0f, ((_e17485 + (((_e17541 + (((_e17558 + ((f32(
 let _e17618 = (_e17365 + select(0f, ((_e17488 + (((_e17544 + (((_e17569 + ((select(_e17589, -(_e17589), ((_e17579 >> bitcast<u32>(31i)) != 0u)) - _e17569) * _e17047)) - _e17544) * _e17049)) - _e17488) * _e17051)) * 6.151953e-5f), _e17052));
 let _e17622 = (1f - ((_e17615 * _e17615) + (_e17618 * _e17618)));
 let _e17624 = select(1e-4f, _e17622, (_e17622 > 1e-4f));
-phi_39655_ = vec3<f32>(_e17615, _e17618, sqrt(select(0f, _e17624, (_e17624 > 0f))));
+phi_39668_ = vec3<f32>(_e17615, _e17618, sqrt(select(0f, _e17624, (_e17624 > 0f))));
 } else {
-phi_39655_ = vec3<f32>(_e17364, _e17365, select(1f, (_e17349 * _e17360), _e12630));
+phi_39668_ = vec3<f32>(_e17364, _e17365, select(1f, (_e17349 * _e17360), _e12630));
 }
-let _e17630 = phi_39655_;
+let _e17630 = phi_39668_;
 if _e5205 {
-phi_39749_ = 1f;
+phi_39762_ = 1f;
 } else {
 let _e17636 = global_1.member.member_12.member_20.member;
 let _e17644 = (((_e17636.member * _e17347) + (_e17636.member_1 * _e17348)) + (_e17636.member_2 * _e17349));
@@ -5574,23 +5574,23 @@ let _e17672 = global_1.member.member_12.member_20.member_2;
 let _e17673 = ((_e17666 - (sqrt(select(0f, _e17655, (_e17655 > 0f))) / select(1e-20f, _e17644, (_e17644 > 1e-20f)))) * _e17672);
 let _e17675 = select(0f, _e17673, (_e17673 > 0f));
 let _e17677 = select(1f, _e17675, (_e17675 < 1f));
-phi_39749_ = select(1f, select(0f, ((_e17677 * _e17677) * (3f - (2f * _e17677))), (_e17644 > 0f)), (_e17672 > 0f));
+phi_39762_ = select(1f, select(0f, ((_e17677 * _e17677) * (3f - (2f * _e17677))), (_e17644 > 0f)), (_e17672 > 0f));
 }
-let _e17687 = phi_39749_;
+let _e17687 = phi_39762_;
 let _e17692 = global_1.member.member_11.member_1;
 if _e5205 {
-phi_39791_ = 1f;
+phi_39804_ = 1f;
 } else {
-phi_39791_ = (1f / select(1e-12f, _e17354, (_e17354 > 1e-12f)));
+phi_39804_ = (1f / select(1e-12f, _e17354, (_e17354 > 1e-12f)));
 }
-let _e17706 = phi_39791_;
+let _e17706 = phi_39804_;
 let _e17707 = (_e17706 * select(_e17687, 1f, (_e628 && _e17052)));
-let _e17719 = ((_e12683.member * _e17630.x) + (_e12694.member * _e17630.y));
-let _e17720 = ((_e12683.member_1 * _e17630.x) + (_e12694.member_1 * _e17630.y));
-let _e17721 = ((_e12683.member_2 * _e17630.x) + (_e12694.member_2 * _e17630.y));
-let _e17723 = (_e12708.member * _e17630.z);
-let _e17724 = (_e12708.member_1 * _e17630.z);
-let _e17725 = (_e12708.member_2 * _e17630.z);
+let _e17719 = ((_e12682.member * _e17630.x) + (_e12693.member * _e17630.y));
+let _e17720 = ((_e12682.member_1 * _e17630.x) + (_e12693.member_1 * _e17630.y));
+let _e17721 = ((_e12682.member_2 * _e17630.x) + (_e12693.member_2 * _e17630.y));
+let _e17723 = (_e12707.member * _e17630.z);
+let _e17724 = (_e12707.member_1 * _e17630.z);
+let _e17725 = (_e12707.member_2 * _e17630.z);
 let _e17727 = (_e17719 + _e17723);
 let _e17728 = (_e17720 + _e17724);
 let _e17729 = (_e17721 + _e17725);
@@ -5604,7 +5604,7 @@ let _e17743 = select(_e5628, _e17741, (_e17741 < _e5628));
 let _e17745 = select(_e5618, _e13397, (_e13397 > _e5618));
 let _e17747 = select(_e5633, _e17745, (_e17745 < _e5633));
 if _e10095 {
-phi_40022_ = vec3<f32>(_e17739, _e17743, _e17747);
+phi_40035_ = vec3<f32>(_e17739, _e17743, _e17747);
 } else {
 let _e17749 = (_e17739 + 0.5f);
 let _e17750 = (_e5503 - 1f);
@@ -5621,9 +5621,9 @@ let _e17786 = (_e5513 - 1f);
 let _e17788 = select(0f, _e17785, (_e17785 > 0f));
 let _e17790 = select(_e17786, _e17788, (_e17788 < _e17786));
 let _e17797 = select(0i, select(select(i32(_e17790), i32(-2147483648), (_e17790 < -2147483600f)), 2147483647i, (_e17790 > 2147483500f)), (_e17790 == _e17790));
-phi_40022_ = vec3<f32>(f32((_e17761 - select(0i, 1i, (_e17754 < f32(_e17761))))), f32((_e17779 - select(0i, 1i, (_e17772 < f32(_e17779))))), f32((_e17797 - select(0i, 1i, (_e17790 < f32(_e17797))))));
+phi_40035_ = vec3<f32>(f32((_e17761 - select(0i, 1i, (_e17754 < f32(_e17761))))), f32((_e17779 - select(0i, 1i, (_e17772 < f32(_e17779))))), f32((_e17797 - select(0i, 1i, (_e17790 < f32(_e17797))))));
 }
-let _e17805 = phi_40022_;
+let _e17805 = phi_40035_;
 let _e17808 = select(-1f, _e17805.x, (_e17805.x > -1f));
 let _e17810 = select(_e5503, _e17808, (_e17808 < _e5503));
 let _e17817 = select(0i, select(select(i32(_e17810), i32(-2147483648), (_e17810 < -2147483600f)), 2147483647i, (_e17810 > 2147483500f)), (_e17810 == _e17810));
@@ -5949,11 +5949,11 @@ let _e18943 = select(0i, select(select(i32(_e18936), i32(-2147483648), (_e18936 
 let _e18947 = (_e18943 - select(0i, 1i, (_e18936 < f32(_e18943))));
 let _e18948 = f32(_e18947);
 let _e18952 = ((_e18930 - (_e18948 * 0.6933594f)) - (_e18948 * -2.1219444e-4f));
-phi_41794_ = (select(((_e18924 - ((1f + (_e18952 * (1f + (_e18952 * (0.5f + (_e18952 * (0.16666667f + (_e18952 * (0.041666668f + (_e18952 * (0.008333334f + (_e18952 * (0.001388889f + (_e18952 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18947 + 127i)) << bitcast<u32>(23i))))) / select(_e18873, 1f, _e18877)), (_e18924 * (1f - (0.5f * _e18873))), _e18877) * (_e12518 / _e16812));
+phi_41807_ = (select(((_e18924 - ((1f + (_e18952 * (1f + (_e18952 * (0.5f + (_e18952 * (0.16666667f + (_e18952 * (0.041666668f + (_e18952 * (0.008333334f + (_e18952 * (0.001388889f + (_e18952 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18947 + 127i)) << bitcast<u32>(23i))))) / select(_e18873, 1f, _e18877)), (_e18924 * (1f - (0.5f * _e18873))), _e18877) * (_e12518 / _e16812));
 } else {
-phi_41794_ = _e17734;
+phi_41807_ = _e17734;
 }
-let _e18983 = phi_41794_;
+let _e18983 = phi_41807_;
 let _e18985 = select(_e9827.member, _e10795, (_e10795 < _e9827.member));
 let _e18987 = select(_e9827.member, _e10795, (_e10795 > _e9827.member));
 let _e18990 = (_e14959 + ((_e13137 - _e14959) * 0f));
@@ -5990,14 +5990,14 @@ let _e19119 = (_e13137 + ((_e19116 - _e13137) * 0f));
 let _e19169 = (263219i + ((((((select(0i, 1i, (_e19119 >= _e18998)) + select(0i, 1i, (_e19119 >= _e19008))) + (select(0i, 1i, (_e19119 >= _e19019)) + select(0i, 1i, (_e19119 >= _e19029)))) + ((select(0i, 1i, (_e19119 >= _e19041)) + select(0i, 1i, (_e19119 >= _e19051))) + (select(0i, 1i, (_e19119 >= _e19062)) + select(0i, 1i, (_e19119 >= _e19072))))) * 9i) + (((select(0i, 1i, (_e19116 >= _e18998)) + select(0i, 1i, (_e19116 >= _e19008))) + (select(0i, 1i, (_e19116 >= _e19019)) + select(0i, 1i, (_e19116 >= _e19029)))) + ((select(0i, 1i, (_e19116 >= _e19041)) + select(0i, 1i, (_e19116 >= _e19051))) + (select(0i, 1i, (_e19116 >= _e19062)) + select(0i, 1i, (_e19116 >= _e19072)))))) * 6i));
 let _e19171 = select(_e10528, _e19169, (_e19169 < _e10528));
 let _e19176 = global_3.member[bitcast<u32>(select(0i, _e19171, (_e19171 > 0i)))];
-phi_42593_ = (select(_e17734, _e18983, _e12652) * select((bitcast<f32>(_e19111) * bitcast<f32>(_e19176)), 1f, (select(_e15306, _e13503, (_e13503 < _e15306)) < 1f)));
+phi_42606_ = (select(_e17734, _e18983, _e12652) * select((bitcast<f32>(_e19111) * bitcast<f32>(_e19176)), 1f, (select(_e15306, _e13503, (_e13503 < _e15306)) < 1f)));
 } else {
-phi_42593_ = _e17734;
+phi_42606_ = _e17734;
 }
-let _e19186 = phi_42593_;
-phi_42603_ = type_40(vec3<f32>((((_e17346.x * _e17692.member) * _e17707) * ((_e14534.member_2.x * _e16333.member_2.x) * _e19186)), (((_e17346.y * _e17692.member_1) * _e17707) * ((_e14534.member_2.y * _e16333.member_2.y) * _e19186)), (((_e17346.z * _e17692.member_2) * _e17707) * ((_e14534.member_2.z * _e16333.member_2.z) * _e19186))), (vec3<f32>(_e17719, _e17720, _e17721) + vec3<f32>(_e17723, _e17724, _e17725)));
+let _e19186 = phi_42606_;
+phi_42616_ = type_40(vec3<f32>((((_e17346.x * _e17692.member) * _e17707) * ((_e14534.member_2.x * _e16333.member_2.x) * _e19186)), (((_e17346.y * _e17692.member_1) * _e17707) * ((_e14534.member_2.y * _e16333.member_2.y) * _e19186)), (((_e17346.z * _e17692.member_2) * _e17707) * ((_e14534.member_2.z * _e16333.member_2.z) * _e19186))), (vec3<f32>(_e17719, _e17720, _e17721) + vec3<f32>(_e17723, _e17724, _e17725)));
 }
-let _e19196 = phi_42603_;
+let _e19196 = phi_42616_;
 let _e19205 = (((_e19196.member_1.x * _e19196.member_1.x) + (_e19196.member_1.y * _e19196.member_1.y)) + (_e19196.member_1.z * _e19196.member_1.z));
 let _e19208 = sqrt(select(0f, _e19205, (_e19205 > 0f)));
 let _e19210 = ((_e4303 & 8u) != 0u);
@@ -6010,19 +6010,19 @@ let _e19249 = sqrt(select(0f, _e19246, (_e19246 > 0f)));
 let _e19255 = (_e19249 * _e19208);
 let _e19258 = ((((_e9827.member_2.x * _e19196.member_1.x) + (_e9827.member_2.y * _e19196.member_1.y)) + (_e9827.member_2.z * _e19196.member_1.z)) / select(1e-20f, _e19255, (_e19255 > 1e-20f)));
 if ((((_e9827.member_2.x * _e5440.member_1.x) + (_e9827.member_2.y * _e5440.member_1.y)) + (_e9827.member_2.z * _e5440.member_1.z)) > 0f) {
-phi_42735_ = _e19258;
+phi_42748_ = _e19258;
 } else {
-phi_42735_ = -(_e19258);
+phi_42748_ = -(_e19258);
 }
-let _e19267 = phi_42735_;
+let _e19267 = phi_42748_;
 let _e19275 = ((_e19249 / _e5532) * (1f / 0.015625f));
 let _e19277 = select(0f, _e19275, (_e19275 > 0f));
 let _e19279 = select(1f, _e19277, (_e19277 < 1f));
-phi_42778_ = (1f + ((((_e19267 + bitcast<f32>((bitcast<u32>(_e19267) & 2147483647u))) * 0.5f) - 1f) * select(_e12459, _e19279, (_e19279 > _e12459))));
+phi_42791_ = (1f + ((((_e19267 + bitcast<f32>((bitcast<u32>(_e19267) & 2147483647u))) * 0.5f) - 1f) * select(_e12459, _e19279, (_e19279 > _e12459))));
 } else {
-phi_42778_ = 1f;
+phi_42791_ = 1f;
 }
-let _e19286 = phi_42778_;
+let _e19286 = phi_42791_;
 let _e19293 = global_1.member.member_20.member;
 let _e19300 = (1f - _e5440.member_6);
 let _e19318 = (_e5440.member_5.x + (((_e5440.member_7.x * _e19226) * ((_e12455.member_3.x * (((_e19196.member.x * _e19218) * _e19286) + _e19293.member)) + 0f)) * _e19300));
@@ -6110,112 +6110,112 @@ let _e19720 = select(0f, _e19718, (_e19718 > 0f));
 let _e19722 = select(1f, _e19720, (_e19720 < 1f));
 if _e6275 {
 let _e19732 = global_1.member.member_12.member_18.member_4;
-phi_43226_ = _e19732;
+phi_43247_ = _e19732;
 } else {
 let _e19727 = global_1.member.member_12.member_18.member_3;
-phi_43226_ = _e19727;
+phi_43247_ = _e19727;
 }
-let _e19734 = phi_43226_;
+let _e19734 = phi_43247_;
 let _e19738 = ((bitcast<i32>(_e19734) + (_e19710 * _e19563)) + _e19693);
 let _e19739 = (_e19563 * _e19570);
 let _e19741 = (bitcast<i32>(_e269) - 1i);
 let _e19743 = select(_e19741, _e19738, (_e19738 < _e19741));
-let _e19749 = global_4.member[bitcast<u32>(select(0i, _e19743, (_e19743 > 0i)))];
-let _e19750 = bitcast<f32>(_e19749);
-let _e19751 = (_e19738 + 1i);
-let _e19753 = select(_e19741, _e19751, (_e19751 < _e19741));
-let _e19759 = global_4.member[bitcast<u32>(select(0i, _e19753, (_e19753 > 0i)))];
-let _e19763 = (_e19750 + ((bitcast<f32>(_e19759) - _e19750) * _e19716));
-let _e19764 = (_e19738 + _e19563);
-let _e19766 = select(_e19741, _e19764, (_e19764 < _e19741));
-let _e19772 = global_4.member[bitcast<u32>(select(0i, _e19766, (_e19766 > 0i)))];
-let _e19773 = bitcast<f32>(_e19772);
-let _e19774 = (_e19764 + 1i);
-let _e19776 = select(_e19741, _e19774, (_e19774 < _e19741));
-let _e19782 = global_4.member[bitcast<u32>(select(0i, _e19776, (_e19776 > 0i)))];
-let _e19789 = (_e19763 + (((_e19773 + ((bitcast<f32>(_e19782) - _e19773) * _e19716)) - _e19763) * _e19722));
-let _e19790 = (_e19738 + _e19739);
-let _e19792 = select(_e19741, _e19790, (_e19790 < _e19741));
-let _e19798 = global_4.member[bitcast<u32>(select(0i, _e19792, (_e19792 > 0i)))];
-let _e19799 = bitcast<f32>(_e19798);
-let _e19800 = (_e19790 + 1i);
-let _e19802 = select(_e19741, _e19800, (_e19800 < _e19741));
-let _e19808 = global_4.member[bitcast<u32>(select(0i, _e19802, (_e19802 > 0i)))];
-let _e19812 = (_e19799 + ((bitcast<f32>(_e19808) - _e19799) * _e19716));
-let _e19813 = (_e19790 + _e19563);
-let _e19815 = select(_e19741, _e19813, (_e19813 < _e19741));
-let _e19821 = global_4.member[bitcast<u32>(select(0i, _e19815, (_e19815 > 0i)))];
-let _e19822 = bitcast<f32>(_e19821);
-let _e19823 = (_e19813 + 1i);
-let _e19825 = select(_e19741, _e19823, (_e19823 < _e19741));
-let _e19831 = global_4.member[bitcast<u32>(select(0i, _e19825, (_e19825 > 0i)))];
-let _e19838 = (_e19812 + (((_e19822 + ((bitcast<f32>(_e19831) - _e19822) * _e19716)) - _e19812) * _e19722));
-let _e19840 = (_e19738 + (2i * _e19739));
-let _e19842 = select(_e19741, _e19840, (_e19840 < _e19741));
-let _e19848 = global_4.member[bitcast<u32>(select(0i, _e19842, (_e19842 > 0i)))];
-let _e19849 = bitcast<f32>(_e19848);
-let _e19850 = (_e19840 + 1i);
-let _e19852 = select(_e19741, _e19850, (_e19850 < _e19741));
-let _e19858 = global_4.member[bitcast<u32>(select(0i, _e19852, (_e19852 > 0i)))];
-let _e19862 = (_e19849 + ((bitcast<f32>(_e19858) - _e19849) * _e19716));
-let _e19863 = (_e19840 + _e19563);
-let _e19865 = select(_e19741, _e19863, (_e19863 < _e19741));
-let _e19871 = global_4.member[bitcast<u32>(select(0i, _e19865, (_e19865 > 0i)))];
-let _e19872 = bitcast<f32>(_e19871);
-let _e19873 = (_e19863 + 1i);
-let _e19875 = select(_e19741, _e19873, (_e19873 < _e19741));
-let _e19881 = global_4.member[bitcast<u32>(select(0i, _e19875, (_e19875 > 0i)))];
-let _e19888 = (_e19862 + (((_e19872 + ((bitcast<f32>(_e19881) - _e19872) * _e19716)) - _e19862) * _e19722));
+let _e19748 = global_4.member[bitcast<u32>(select(0i, _e19743, (_e19743 > 0i)))];
+let _e19749 = bitcast<f32>(_e19748);
+let _e19750 = (_e19738 + 1i);
+let _e19752 = select(_e19741, _e19750, (_e19750 < _e19741));
+let _e19757 = global_4.member[bitcast<u32>(select(0i, _e19752, (_e19752 > 0i)))];
+let _e19761 = (_e19749 + ((bitcast<f32>(_e19757) - _e19749) * _e19716));
+let _e19762 = (_e19738 + _e19563);
+let _e19764 = select(_e19741, _e19762, (_e19762 < _e19741));
+let _e19769 = global_4.member[bitcast<u32>(select(0i, _e19764, (_e19764 > 0i)))];
+let _e19770 = bitcast<f32>(_e19769);
+let _e19771 = (_e19762 + 1i);
+let _e19773 = select(_e19741, _e19771, (_e19771 < _e19741));
+let _e19778 = global_4.member[bitcast<u32>(select(0i, _e19773, (_e19773 > 0i)))];
+let _e19785 = (_e19761 + (((_e19770 + ((bitcast<f32>(_e19778) - _e19770) * _e19716)) - _e19761) * _e19722));
+let _e19786 = (_e19738 + _e19739);
+let _e19788 = select(_e19741, _e19786, (_e19786 < _e19741));
+let _e19793 = global_4.member[bitcast<u32>(select(0i, _e19788, (_e19788 > 0i)))];
+let _e19794 = bitcast<f32>(_e19793);
+let _e19795 = (_e19786 + 1i);
+let _e19797 = select(_e19741, _e19795, (_e19795 < _e19741));
+let _e19802 = global_4.member[bitcast<u32>(select(0i, _e19797, (_e19797 > 0i)))];
+let _e19806 = (_e19794 + ((bitcast<f32>(_e19802) - _e19794) * _e19716));
+let _e19807 = (_e19786 + _e19563);
+let _e19809 = select(_e19741, _e19807, (_e19807 < _e19741));
+let _e19814 = global_4.member[bitcast<u32>(select(0i, _e19809, (_e19809 > 0i)))];
+let _e19815 = bitcast<f32>(_e19814);
+let _e19816 = (_e19807 + 1i);
+let _e19818 = select(_e19741, _e19816, (_e19816 < _e19741));
+let _e19823 = global_4.member[bitcast<u32>(select(0i, _e19818, (_e19818 > 0i)))];
+let _e19830 = (_e19806 + (((_e19815 + ((bitcast<f32>(_e19823) - _e19815) * _e19716)) - _e19806) * _e19722));
+let _e19832 = (_e19738 + (2i * _e19739));
+let _e19834 = select(_e19741, _e19832, (_e19832 < _e19741));
+let _e19839 = global_4.member[bitcast<u32>(select(0i, _e19834, (_e19834 > 0i)))];
+let _e19840 = bitcast<f32>(_e19839);
+let _e19841 = (_e19832 + 1i);
+let _e19843 = select(_e19741, _e19841, (_e19841 < _e19741));
+let _e19848 = global_4.member[bitcast<u32>(select(0i, _e19843, (_e19843 > 0i)))];
+let _e19852 = (_e19840 + ((bitcast<f32>(_e19848) - _e19840) * _e19716));
+let _e19853 = (_e19832 + _e19563);
+let _e19855 = select(_e19741, _e19853, (_e19853 < _e19741));
+let _e19860 = global_4.member[bitcast<u32>(select(0i, _e19855, (_e19855 > 0i)))];
+let _e19861 = bitcast<f32>(_e19860);
+let _e19862 = (_e19853 + 1i);
+let _e19864 = select(_e19741, _e19862, (_e19862 < _e19741));
+let _e19869 = global_4.member[bitcast<u32>(select(0i, _e19864, (_e19864 > 0i)))];
+let _e19876 = (_e19852 + (((_e19861 + ((bitcast<f32>(_e19869) - _e19861) * _e19716)) - _e19852) * _e19722));
 if _e5205 {
-phi_43594_ = vec3<f32>(_e19789, _e19838, _e19888);
+phi_43615_ = vec3<f32>(_e19785, _e19830, _e19876);
 } else {
 if _e5205 {
-phi_43562_ = 1f;
+phi_43583_ = 1f;
 } else {
-let _e19894 = global_1.member.member_12.member_20.member;
-let _e19902 = (((_e19894.member * _e19403) + (_e19894.member_1 * _e19404)) + (_e19894.member_2 * _e19405));
-let _e19906 = (_e19403 - (_e19894.member * _e19902));
-let _e19907 = (_e19404 - (_e19894.member_1 * _e19902));
-let _e19908 = (_e19405 - (_e19894.member_2 * _e19902));
-let _e19913 = (((_e19906 * _e19906) + (_e19907 * _e19907)) + (_e19908 * _e19908));
-let _e19924 = global_1.member.member_12.member_20.member_1;
-let _e19930 = global_1.member.member_12.member_20.member_2;
-let _e19931 = ((_e19924 - (sqrt(select(0f, _e19913, (_e19913 > 0f))) / select(1e-20f, _e19902, (_e19902 > 1e-20f)))) * _e19930);
-let _e19933 = select(0f, _e19931, (_e19931 > 0f));
-let _e19935 = select(1f, _e19933, (_e19933 < 1f));
-phi_43562_ = select(1f, select(0f, ((_e19935 * _e19935) * (3f - (2f * _e19935))), (_e19902 > 0f)), (_e19930 > 0f));
+let _e19882 = global_1.member.member_12.member_20.member;
+let _e19890 = (((_e19882.member * _e19403) + (_e19882.member_1 * _e19404)) + (_e19882.member_2 * _e19405));
+let _e19894 = (_e19403 - (_e19882.member * _e19890));
+let _e19895 = (_e19404 - (_e19882.member_1 * _e19890));
+let _e19896 = (_e19405 - (_e19882.member_2 * _e19890));
+let _e19901 = (((_e19894 * _e19894) + (_e19895 * _e19895)) + (_e19896 * _e19896));
+let _e19912 = global_1.member.member_12.member_20.member_1;
+let _e19918 = global_1.member.member_12.member_20.member_2;
+let _e19919 = ((_e19912 - (sqrt(select(0f, _e19901, (_e19901 > 0f))) / select(1e-20f, _e19890, (_e19890 > 1e-20f)))) * _e19918);
+let _e19921 = select(0f, _e19919, (_e19919 > 0f));
+let _e19923 = select(1f, _e19921, (_e19921 < 1f));
+phi_43583_ = select(1f, select(0f, ((_e19923 * _e19923) * (3f - (2f * _e19923))), (_e19890 > 0f)), (_e19918 > 0f));
 }
-let _e19945 = phi_43562_;
-let _e19947 = select(0f, 1f, (_e19405 > 0f));
-let _e19951 = ((_e19789 * _e19947) + _e19945);
-let _e19952 = ((_e19838 * _e19947) + _e19945);
-let _e19953 = ((_e19888 * _e19947) + _e19945);
-phi_43594_ = vec3<f32>(select(0f, _e19951, (_e19951 > 0f)), select(0f, _e19952, (_e19952 > 0f)), select(0f, _e19953, (_e19953 > 0f)));
+let _e19933 = phi_43583_;
+let _e19935 = select(0f, 1f, (_e19405 > 0f));
+let _e19939 = ((_e19785 * _e19935) + _e19933);
+let _e19940 = ((_e19830 * _e19935) + _e19933);
+let _e19941 = ((_e19876 * _e19935) + _e19933);
+phi_43615_ = vec3<f32>(select(0f, _e19939, (_e19939 > 0f)), select(0f, _e19940, (_e19940 > 0f)), select(0f, _e19941, (_e19941 > 0f)));
 }
-let _e19962 = phi_43594_;
+let _e19950 = phi_43615_;
 if _e5205 {
-phi_43620_ = 1f;
+phi_43641_ = 1f;
 } else {
-phi_43620_ = (1f / select(1e-12f, _e19410, (_e19410 > 1e-12f)));
+phi_43641_ = (1f / select(1e-12f, _e19410, (_e19410 > 1e-12f)));
 }
-let _e19967 = phi_43620_;
-let _e19977 = global_1.member.member_11.member_1;
-phi_43888_ = type_40(vec3<f32>((_e19977.member * (_e19962.x * _e19967)), (_e19977.member_1 * (_e19962.y * _e19967)), (_e19977.member_2 * (_e19962.z * _e19967))), _e19461);
+let _e19955 = phi_43641_;
+let _e19965 = global_1.member.member_11.member_1;
+phi_43909_ = type_40(vec3<f32>((_e19965.member * (_e19950.x * _e19955)), (_e19965.member_1 * (_e19950.y * _e19955)), (_e19965.member_2 * (_e19950.z * _e19955))), _e19461);
 } else {
 if _e5205 {
 let _e19541 = global_1.member.member_11.member_1;
 let _e19549 = global_1.member.member_11.member;
-phi_43887_ = type_40(vec3<f32>(_e19541.member, _e19541.member_1, _e19541.member_2), vec3<f32>(_e19549.member, _e19549.member_1, _e19549.member_2));
+phi_43908_ = type_40(vec3<f32>(_e19541.member, _e19541.member_1, _e19541.member_2), vec3<f32>(_e19549.member, _e19549.member_1, _e19549.member_2));
 } else {
 let _e19467 = global_1.member.member_11.member_1;
 if _e5205 {
-phi_43731_ = 1f;
+phi_43752_ = 1f;
 } else {
-phi_43731_ = (1f / select(1e-12f, _e19410, (_e19410 > 1e-12f)));
+phi_43752_ = (1f / select(1e-12f, _e19410, (_e19410 > 1e-12f)));
 }
-let _e19475 = phi_43731_;
+let _e19475 = phi_43752_;
 if _e5205 {
-phi_43815_ = 1f;
+phi_43836_ = 1f;
 } else {
 let _e19480 = global_1.member.member_12.member_20.member;
 let _e19488 = (((_e19480.member * _e19403) + (_e19480.member_1 * _e19404)) + (_e19480.member_2 * _e19405));
@@ -6228,125 +6228,125 @@ let _e19516 = global_1.member.member_12.member_20.member_2;
 let _e19517 = ((_e19510 - (sqrt(select(0f, _e19499, (_e19499 > 0f))) / select(1e-20f, _e19488, (_e19488 > 1e-20f)))) * _e19516);
 let _e19519 = select(0f, _e19517, (_e19517 > 0f));
 let _e19521 = select(1f, _e19519, (_e19519 < 1f));
-phi_43815_ = select(1f, select(0f, ((_e19521 * _e19521) * (3f - (2f * _e19521))), (_e19488 > 0f)), (_e19516 > 0f));
+phi_43836_ = select(1f, select(0f, ((_e19521 * _e19521) * (3f - (2f * _e19521))), (_e19488 > 0f)), (_e19516 > 0f));
 }
-let _e19531 = phi_43815_;
+let _e19531 = phi_43836_;
 let _e19532 = (_e19475 * _e19531);
-phi_43887_ = type_40(vec3<f32>((_e19467.member * _e19532), (_e19467.member_1 * _e19532), (_e19467.member_2 * _e19532)), _e19461);
+phi_43908_ = type_40(vec3<f32>((_e19467.member * _e19532), (_e19467.member_1 * _e19532), (_e19467.member_2 * _e19532)), _e19461);
 }
-let _e19556 = phi_43887_;
-phi_43888_ = _e19556;
+let _e19556 = phi_43908_;
+phi_43909_ = _e19556;
 }
-let _e19987 = phi_43888_;
-let _e19991 = global_1.member.member_23.member_4;
+let _e19975 = phi_43909_;
+let _e19979 = global_1.member.member_23.member_4;
+let _e19987 = (((_e19979.member * _e6304) + (_e19979.member_1 * _e6305)) + (_e19979.member_2 * _e6306));
+let _e19991 = global_1.member.member_23.member_5;
 let _e19999 = (((_e19991.member * _e6304) + (_e19991.member_1 * _e6305)) + (_e19991.member_2 * _e6306));
-let _e20003 = global_1.member.member_23.member_5;
+let _e20003 = global_1.member.member_23.member_6;
 let _e20011 = (((_e20003.member * _e6304) + (_e20003.member_1 * _e6305)) + (_e20003.member_2 * _e6306));
-let _e20015 = global_1.member.member_23.member_6;
-let _e20023 = (((_e20015.member * _e6304) + (_e20015.member_1 * _e6305)) + (_e20015.member_2 * _e6306));
-let _e20027 = global_1.member.member_20.member_1;
-let _e20037 = global_1.member.member_20.member_2;
-let _e20050 = global_1.member.member_20.member_3;
-let _e20063 = global_1.member.member_20.member_4;
-let _e20067 = (_e19999 * _e19999);
-let _e20074 = global_1.member.member_20.member_5;
-let _e20078 = (_e20011 * _e20011);
-let _e20088 = global_1.member.member_20.member_6;
-let _e20092 = (_e20023 * _e20023);
-let _e20102 = global_1.member.member_20.member_7;
-let _e20106 = (_e19999 * _e20011);
-let _e20113 = global_1.member.member_20.member_8;
-let _e20117 = (_e19999 * _e20023);
-let _e20127 = global_1.member.member_20.member_9;
-let _e20131 = (_e20011 * _e20023);
-let _e20144 = ((_e19293.member + (((_e20027.member * _e19999) + (_e20037.member * _e20011)) + (_e20050.member * _e20023))) + ((((_e20063.member * _e20067) + (_e20074.member * _e20078)) + (_e20088.member * _e20092)) + (((_e20102.member * _e20106) + (_e20113.member * _e20117)) + (_e20127.member * _e20131))));
-let _e20145 = ((_e19293.member_1 + (((_e20027.member_1 * _e19999) + (_e20037.member_1 * _e20011)) + (_e20050.member_1 * _e20023))) + ((((_e20063.member_1 * _e20067) + (_e20074.member_1 * _e20078)) + (_e20088.member_1 * _e20092)) + (((_e20102.member_1 * _e20106) + (_e20113.member_1 * _e20117)) + (_e20127.member_1 * _e20131))));
-let _e20146 = ((_e19293.member_2 + (((_e20027.member_2 * _e19999) + (_e20037.member_2 * _e20011)) + (_e20050.member_2 * _e20023))) + ((((_e20063.member_2 * _e20067) + (_e20074.member_2 * _e20078)) + (_e20088.member_2 * _e20092)) + (((_e20102.member_2 * _e20106) + (_e20113.member_2 * _e20117)) + (_e20127.member_2 * _e20131))));
-let _e20161 = (((_e19987.member_1.x * _e19987.member_1.x) + (_e19987.member_1.y * _e19987.member_1.y)) + (_e19987.member_1.z * _e19987.member_1.z));
-let _e20164 = sqrt(select(0f, _e20161, (_e20161 > 0f)));
-let _e20168 = (1e-6f * _e20164);
-let _e20172 = select((_e20164 / select(_e20168, _e19987.member_1.z, (_e19987.member_1.z > _e20168))), 1f, _e19210);
-let _e20187 = (-((((_e6304 * _e19987.member_1.x) + (_e6305 * _e19987.member_1.y)) + (_e6306 * _e19987.member_1.z))) / select(1e-20f, _e20164, (_e20164 > 1e-20f)));
-let _e20192 = bitcast<f32>((bitcast<u32>(select(0f, _e20187, (_e20187 > 0f))) & 2147483647u));
-let _e20205 = (1f - _e19325);
-let _e20219 = select(_e19325, 1f, _e6316);
-let _e20224 = select(_e19330, _e19328, (_e19328 > _e19330));
-phi_44216_ = type_34(vec3<f32>(select(_e6211, _e19347, _e6316), select(_e6212, _e19348, _e6316), select(_e6213, _e19349, _e6316)), vec3<f32>(select((_e10075 + (_e9827.member_4.x * _e10777)), select((_e10075 + (_e10740 * _e10759)), _e10075, _e10760), _e6195), select((_e10076 + (_e9827.member_4.y * _e10777)), select((_e10076 + (_e10741 * _e10759)), _e10076, _e10760), _e6195), select((_e10077 + (_e9827.member_4.z * _e10777)), select((_e10077 + (_e10742 * _e10759)), _e10077, _e10760), _e6195)), _e9827.member, select(4f, 1f, (_e6316 || (((1f - _e20219) * select(_e19332, _e20224, (_e20224 > _e19332))) < 9.765625e-4f))), select(_e19343, (_e19343 + (_e20205 * _e19349)), _e6316), vec3<f32>(select(_e19318, (_e19318 + ((_e19328 * ((select(_e6297.member, _e6286.member, _e6275) * (((_e19987.member.x * _e20172) * _e20192) + select(0f, _e20144, (_e20144 > 0f)))) * _e19226)) * _e20205)), _e6316), select(_e19320, (_e19320 + ((_e19330 * ((select(_e6297.member_1, _e6286.member_1, _e6275) * (((_e19987.member.y * _e20172) * _e20192) + select(0f, _e20145, (_e20145 > 0f)))) * _e19226)) * _e20205)), _e6316), select(_e19322, (_e19322 + ((_e19332 * ((select(_e6297.member_2, _e6286.member_2, _e6275) * (((_e19987.member.z * _e20172) * _e20192) + select(0f, _e20146, (_e20146 > 0f)))) * _e19226)) * _e20205)), _e6316)), _e20219, (_e5440.member_7 * _e12455.member_2), select(0f, _e9827.member_3, (_e5453 != (_e6195 && !((_e10756 && (_e10725 != 0f)))))), -1.2676506e30f, _e5440.member_10, _e5440.member_11, _e5440.member_12);
-phi_44217_ = _e10068.member_2;
-phi_44219_ = _e9827;
+let _e20015 = global_1.member.member_20.member_1;
+let _e20025 = global_1.member.member_20.member_2;
+let _e20038 = global_1.member.member_20.member_3;
+let _e20051 = global_1.member.member_20.member_4;
+let _e20055 = (_e19987 * _e19987);
+let _e20062 = global_1.member.member_20.member_5;
+let _e20066 = (_e19999 * _e19999);
+let _e20076 = global_1.member.member_20.member_6;
+let _e20080 = (_e20011 * _e20011);
+let _e20090 = global_1.member.member_20.member_7;
+let _e20094 = (_e19987 * _e19999);
+let _e20101 = global_1.member.member_20.member_8;
+let _e20105 = (_e19987 * _e20011);
+let _e20115 = global_1.member.member_20.member_9;
+let _e20119 = (_e19999 * _e20011);
+let _e20132 = ((_e19293.member + (((_e20015.member * _e19987) + (_e20025.member * _e19999)) + (_e20038.member * _e20011))) + ((((_e20051.member * _e20055) + (_e20062.member * _e20066)) + (_e20076.member * _e20080)) + (((_e20090.member * _e20094) + (_e20101.member * _e20105)) + (_e20115.member * _e20119))));
+let _e20133 = ((_e19293.member_1 + (((_e20015.member_1 * _e19987) + (_e20025.member_1 * _e19999)) + (_e20038.member_1 * _e20011))) + ((((_e20051.member_1 * _e20055) + (_e20062.member_1 * _e20066)) + (_e20076.member_1 * _e20080)) + (((_e20090.member_1 * _e20094) + (_e20101.member_1 * _e20105)) + (_e20115.member_1 * _e20119))));
+let _e20134 = ((_e19293.member_2 + (((_e20015.member_2 * _e19987) + (_e20025.member_2 * _e19999)) + (_e20038.member_2 * _e20011))) + ((((_e20051.member_2 * _e20055) + (_e20062.member_2 * _e20066)) + (_e20076.member_2 * _e20080)) + (((_e20090.member_2 * _e20094) + (_e20101.member_2 * _e20105)) + (_e20115.member_2 * _e20119))));
+let _e20149 = (((_e19975.member_1.x * _e19975.member_1.x) + (_e19975.member_1.y * _e19975.member_1.y)) + (_e19975.member_1.z * _e19975.member_1.z));
+let _e20152 = sqrt(select(0f, _e20149, (_e20149 > 0f)));
+let _e20156 = (1e-6f * _e20152);
+let _e20160 = select((_e20152 / select(_e20156, _e19975.member_1.z, (_e19975.member_1.z > _e20156))), 1f, _e19210);
+let _e20175 = (-((((_e6304 * _e19975.member_1.x) + (_e6305 * _e19975.member_1.y)) + (_e6306 * _e19975.member_1.z))) / select(1e-20f, _e20152, (_e20152 > 1e-20f)));
+let _e20180 = bitcast<f32>((bitcast<u32>(select(0f, _e20175, (_e20175 > 0f))) & 2147483647u));
+let _e20193 = (1f - _e19325);
+let _e20207 = select(_e19325, 1f, _e6317);
+let _e20212 = select(_e19330, _e19328, (_e19328 > _e19330));
+phi_44237_ = type_34(vec3<f32>(select(_e6211, _e19347, _e6317), select(_e6212, _e19348, _e6317), select(_e6213, _e19349, _e6317)), vec3<f32>(select((_e10075 + (_e9827.member_4.x * _e10777)), select((_e10075 + (_e10740 * _e10759)), _e10075, _e10760), _e6195), select((_e10076 + (_e9827.member_4.y * _e10777)), select((_e10076 + (_e10741 * _e10759)), _e10076, _e10760), _e6195), select((_e10077 + (_e9827.member_4.z * _e10777)), select((_e10077 + (_e10742 * _e10759)), _e10077, _e10760), _e6195)), _e9827.member, select(4f, 1f, (_e6317 || (((1f - _e20207) * select(_e19332, _e20212, (_e20212 > _e19332))) < 9.765625e-4f))), select(_e19343, (_e19343 + (_e20193 * _e19349)), _e6317), vec3<f32>(select(_e19318, (_e19318 + ((_e19328 * ((select(_e6297.member, _e6286.member, _e6275) * (((_e19975.member.x * _e20160) * _e20180) + select(0f, _e20132, (_e20132 > 0f)))) * _e19226)) * _e20193)), _e6317), select(_e19320, (_e19320 + ((_e19330 * ((select(_e6297.member_1, _e6286.member_1, _e6275) * (((_e19975.member.y * _e20160) * _e20180) + select(0f, _e20133, (_e20133 > 0f)))) * _e19226)) * _e20193)), _e6317), select(_e19322, (_e19322 + ((_e19332 * ((select(_e6297.member_2, _e6286.member_2, _e6275) * (((_e19975.member.z * _e20160) * _e20180) + select(0f, _e20134, (_e20134 > 0f)))) * _e19226)) * _e20193)), _e6317)), _e20207, (_e5440.member_7 * _e12455.member_2), select(0f, _e9827.member_3, (_e5453 != (_e6195 && !((_e10756 && (_e10725 != 0f)))))), -1.2676506e30f, _e5440.member_10, _e5440.member_11, _e5440.member_12);
+phi_44238_ = _e10068.member_2;
+phi_44241_ = _e9827;
 }
-let _e20255 = phi_44216_;
-let _e20257 = phi_44217_;
-let _e20259 = phi_44219_;
-phi_11085_ = _e20255;
-phi_11087_ = _e20257;
-phi_11091_ = _e20259;
-phi_11093_ = (_e5446 + 1i);
+let _e20243 = phi_44237_;
+let _e20245 = phi_44238_;
+let _e20247 = phi_44241_;
+phi_11090_ = _e20243;
+phi_11092_ = _e20245;
+phi_11098_ = _e20247;
+phi_11100_ = (_e5446 + 1i);
 } else {
-phi_11085_ = type_34();
-phi_11087_ = f32();
-phi_11091_ = type_37();
-phi_11093_ = i32();
+phi_11090_ = type_34();
+phi_11092_ = f32();
+phi_11098_ = type_37();
+phi_11100_ = i32();
 }
-let _e20261 = phi_11085_;
-let _e20263 = phi_11087_;
-let _e20265 = phi_11091_;
-let _e20267 = phi_11093_;
+let _e20249 = phi_11090_;
+let _e20251 = phi_11092_;
+let _e20253 = phi_11098_;
+let _e20255 = phi_11100_;
 continue;
 continuing {
-phi_11084_ = _e20261;
-phi_11086_ = _e20263;
-phi_11090_ = _e20265;
-phi_11092_ = _e20267;
+phi_11089_ = _e20249;
+phi_11091_ = _e20251;
+phi_11097_ = _e20253;
+phi_11099_ = _e20255;
 break if !(_e5450);
 }
 }
-let _e20270 = local_62;
-let _e20274 = local_63;
-let _e20278 = local_64;
-let _e20282 = local_65;
-let _e20286 = local_66;
-let _e20290 = local_67;
-let _e20294 = local_68;
-let _e20297 = local_69;
-let _e20300 = local_70;
-let _e20304 = local_71;
-let _e20308 = local_72;
-let _e20312 = local_73;
-let _e20315 = local_74;
-let _e20319 = local_75;
-let _e20323 = local_76;
-let _e20327 = local_77;
-let _e20330 = local_78;
-let _e20333 = local_79;
-let _e20336 = local_80;
-let _e20339 = local_81;
-let _e20343 = local_82;
-let _e20347 = local_83;
-global_5.member[_e294] = _e20270.member.x;
-global_5.member[_e306] = _e20274.member.y;
-global_5.member[_e317] = _e20278.member.z;
-global_5.member[_e328] = _e20282.member_1.x;
-global_5.member[_e339] = _e20286.member_1.y;
-global_5.member[_e350] = _e20290.member_1.z;
-global_5.member[_e361] = _e20294.member_2;
-let _e20367 = local_84;
-global_5.member[_e372] = _e20367;
-global_5.member[_e383] = _e20297.member_4;
-global_5.member[_e394] = _e20300.member_5.x;
-global_5.member[_e405] = _e20304.member_5.y;
-global_5.member[_e416] = _e20308.member_5.z;
-global_5.member[_e427] = _e20312.member_6;
-global_5.member[_e438] = _e20315.member_7.x;
-global_5.member[_e449] = _e20319.member_7.y;
-global_5.member[_e460] = _e20323.member_7.z;
-global_5.member[_e471] = _e20327.member_8;
-global_5.member[_e482] = _e20330.member_9;
-global_5.member[_e493] = _e20333.member_10;
-global_5.member[_e504] = _e20336.member_11;
-global_5.member[_e515] = _e20339.member_12.x;
-global_5.member[_e526] = _e20343.member_12.y;
-global_5.member[_e537] = _e20347.member_12.z;
+let _e20258 = local_62;
+let _e20262 = local_63;
+let _e20266 = local_64;
+let _e20270 = local_65;
+let _e20274 = local_66;
+let _e20278 = local_67;
+let _e20282 = local_68;
+let _e20285 = local_69;
+let _e20288 = local_70;
+let _e20292 = local_71;
+let _e20296 = local_72;
+let _e20300 = local_73;
+let _e20303 = local_74;
+let _e20307 = local_75;
+let _e20311 = local_76;
+let _e20315 = local_77;
+let _e20318 = local_78;
+let _e20321 = local_79;
+let _e20324 = local_80;
+let _e20327 = local_81;
+let _e20331 = local_82;
+let _e20335 = local_83;
+global_5.member[_e294] = _e20258.member.x;
+global_5.member[_e306] = _e20262.member.y;
+global_5.member[_e317] = _e20266.member.z;
+global_5.member[_e328] = _e20270.member_1.x;
+global_5.member[_e339] = _e20274.member_1.y;
+global_5.member[_e350] = _e20278.member_1.z;
+global_5.member[_e361] = _e20282.member_2;
+let _e20355 = local_84;
+global_5.member[_e372] = _e20355;
+global_5.member[_e383] = _e20285.member_4;
+global_5.member[_e394] = _e20288.member_5.x;
+global_5.member[_e405] = _e20292.member_5.y;
+global_5.member[_e416] = _e20296.member_5.z;
+global_5.member[_e427] = _e20300.member_6;
+global_5.member[_e438] = _e20303.member_7.x;
+global_5.member[_e449] = _e20307.member_7.y;
+global_5.member[_e460] = _e20311.member_7.z;
+global_5.member[_e471] = _e20315.member_8;
+global_5.member[_e482] = _e20318.member_9;
+global_5.member[_e493] = _e20321.member_10;
+global_5.member[_e504] = _e20324.member_11;
+global_5.member[_e515] = _e20327.member_12.x;
+global_5.member[_e526] = _e20331.member_12.y;
+global_5.member[_e537] = _e20335.member_12.z;
 }
 }
 }

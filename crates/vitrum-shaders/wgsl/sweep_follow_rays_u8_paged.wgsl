@@ -339,73 +339,73 @@ var local_58: f32;
 var local_59: type_30;
 var local_60: vec3<f32>;
 var local_61: type_32;
-var phi_8246_: vec3<f32>;
-var phi_6743_: vec3<f32>;
-var phi_8715_: f32;
-var phi_8716_: vec3<f32>;
-var phi_1075_: vec3<f32>;
-var phi_6396_: type_36;
-var phi_8718_: type_37;
-var phi_9231_: type_38;
-var phi_10566_: type_39;
-var phi_10603_: type_34;
-var phi_10707_: f32;
-var phi_10791_: f32;
-var phi_10863_: type_40;
-var phi_10868_: type_34;
-var phi_10870_: f32;
-var phi_10874_: type_37;
-var phi_10876_: i32;
-var phi_12351_: type_39;
-var phi_12363_: bool;
-var phi_12378_: vec3<f32>;
-var phi_19909_: vec3<f32>;
-var phi_18406_: vec3<f32>;
-var phi_20378_: f32;
-var phi_20379_: vec3<f32>;
-var phi_12738_: vec3<f32>;
-var phi_18059_: type_36;
-var phi_20381_: type_37;
-var phi_20906_: type_38;
-var phi_21102_: vec3<f32>;
-var phi_25909_: type_43;
-var phi_25910_: type_41;
-var phi_25911_: f32;
-var phi_26499_: vec3<f32>;
-var phi_27484_: type_38;
-var phi_31159_: type_42;
-var phi_31510_: type_43;
-var phi_31715_: vec3<f32>;
-var phi_32700_: type_38;
-var phi_36375_: type_42;
-var phi_36726_: type_43;
-var phi_37340_: type_38;
-var phi_38047_: i32;
-var phi_38624_: vec3<f32>;
-var phi_39031_: vec3<f32>;
-var phi_39125_: f32;
-var phi_39167_: f32;
-var phi_39398_: vec3<f32>;
-var phi_41086_: f32;
-var phi_41885_: f32;
-var phi_41895_: type_40;
-var phi_42027_: f32;
-var phi_42070_: f32;
-var phi_43023_: f32;
-var phi_43107_: f32;
-var phi_43179_: type_40;
-var phi_42518_: u32;
-var phi_42854_: f32;
-var phi_42886_: vec3<f32>;
-var phi_42912_: f32;
-var phi_43180_: type_40;
-var phi_43508_: type_34;
-var phi_43509_: f32;
-var phi_43511_: type_37;
-var phi_10869_: type_34;
-var phi_10871_: f32;
-var phi_10875_: type_37;
-var phi_10877_: i32;
+var phi_8251_: vec3<f32>;
+var phi_6748_: vec3<f32>;
+var phi_8720_: f32;
+var phi_8721_: vec3<f32>;
+var phi_1080_: vec3<f32>;
+var phi_6401_: type_36;
+var phi_8723_: type_37;
+var phi_9236_: type_38;
+var phi_10571_: type_39;
+var phi_10608_: type_34;
+var phi_10712_: f32;
+var phi_10796_: f32;
+var phi_10868_: type_40;
+var phi_10873_: type_34;
+var phi_10875_: f32;
+var phi_10881_: type_37;
+var phi_10883_: i32;
+var phi_12358_: type_39;
+var phi_12370_: bool;
+var phi_12385_: vec3<f32>;
+var phi_19916_: vec3<f32>;
+var phi_18413_: vec3<f32>;
+var phi_20385_: f32;
+var phi_20386_: vec3<f32>;
+var phi_12745_: vec3<f32>;
+var phi_18066_: type_36;
+var phi_20388_: type_37;
+var phi_20913_: type_38;
+var phi_21109_: vec3<f32>;
+var phi_25916_: type_43;
+var phi_25917_: type_41;
+var phi_25918_: f32;
+var phi_26512_: vec3<f32>;
+var phi_27497_: type_38;
+var phi_31172_: type_42;
+var phi_31523_: type_43;
+var phi_31728_: vec3<f32>;
+var phi_32713_: type_38;
+var phi_36388_: type_42;
+var phi_36739_: type_43;
+var phi_37353_: type_38;
+var phi_38060_: i32;
+var phi_38637_: vec3<f32>;
+var phi_39044_: vec3<f32>;
+var phi_39138_: f32;
+var phi_39180_: f32;
+var phi_39411_: vec3<f32>;
+var phi_41099_: f32;
+var phi_41898_: f32;
+var phi_41908_: type_40;
+var phi_42040_: f32;
+var phi_42083_: f32;
+var phi_43044_: f32;
+var phi_43128_: f32;
+var phi_43200_: type_40;
+var phi_42539_: u32;
+var phi_42875_: f32;
+var phi_42907_: vec3<f32>;
+var phi_42933_: f32;
+var phi_43201_: type_40;
+var phi_43529_: type_34;
+var phi_43530_: f32;
+var phi_43533_: type_37;
+var phi_10874_: type_34;
+var phi_10876_: f32;
+var phi_10882_: type_37;
+var phi_10884_: i32;
 var local_62: type_34;
 var local_63: type_34;
 var local_64: type_34;
@@ -577,7 +577,7 @@ let _e2328 = select(_e2321, _e621, (_e621 > _e2321));
 let _e2330 = select(_e2326, _e2328, (_e2328 < _e2326));
 let _e2335 = global_1.member.member_8.member_15;
 if (_e2335 == 0u) {
-phi_1075_ = vec3<f32>(_e2302, _e2316, _e2330);
+phi_1080_ = vec3<f32>(_e2302, _e2316, _e2330);
 } else {
 let _e2337 = (_e2302 + 0.5f);
 let _e2342 = global_1.member.member_8.member_3.member;
@@ -597,9 +597,9 @@ let _e2389 = (_e2388 - 1f);
 let _e2391 = select(0f, _e2383, (_e2383 > 0f));
 let _e2393 = select(_e2389, _e2391, (_e2391 < _e2389));
 let _e2400 = select(0i, select(select(i32(_e2393), i32(-2147483648), (_e2393 < -2147483600f)), 2147483647i, (_e2393 > 2147483500f)), (_e2393 == _e2393));
-phi_1075_ = vec3<f32>(f32((_e2354 - select(0i, 1i, (_e2347 < f32(_e2354))))), f32((_e2377 - select(0i, 1i, (_e2370 < f32(_e2377))))), f32((_e2400 - select(0i, 1i, (_e2393 < f32(_e2400))))));
+phi_1080_ = vec3<f32>(f32((_e2354 - select(0i, 1i, (_e2347 < f32(_e2354))))), f32((_e2377 - select(0i, 1i, (_e2370 < f32(_e2377))))), f32((_e2400 - select(0i, 1i, (_e2393 < f32(_e2400))))));
 }
-let _e2408 = phi_1075_;
+let _e2408 = phi_1080_;
 let _e2414 = global_1.member.member_8.member_3.member;
 let _e2416 = select(-1f, _e2408.x, (_e2408.x > -1f));
 let _e2418 = select(_e2414, _e2416, (_e2416 < _e2414));
@@ -978,7 +978,7 @@ if _e629 {
 let _e4063 = ((0.5f * (_e3354 - _e3348)) * _e3612);
 let _e4064 = ((0.5f * (_e3366 - _e3360)) * _e3612);
 let _e4065 = ((0.5f * (_e3378 - _e3372)) * _e3612);
-phi_6396_ = type_36(_e3574, vec3<f32>(_e4063, _e4064, _e4065), vec3<f32>((_e4063 * _e3574), (_e4064 * _e3574), (_e4065 * _e3574)));
+phi_6401_ = type_36(_e3574, vec3<f32>(_e4063, _e4064, _e4065), vec3<f32>((_e4063 * _e3574), (_e4064 * _e3574), (_e4065 * _e3574)));
 } else {
 local_55 = _e3348;
 let _e3613 = local_55;
@@ -1127,9 +1127,9 @@ let _e4038 = ((_e3559 + (f32(bitcast<i32>((_e4023 >> bitcast<u32>(12u)))) * _e35
 let _e4039 = (_e3754 - _e3683);
 let _e4041 = (_e3896 - _e3825);
 let _e4043 = (_e4038 - _e3967);
-phi_6396_ = type_36(_e3574, vec3<f32>((0.5f * _e4039), (0.5f * _e4041), (0.5f * _e4043)), vec3<f32>((0.25f * (_e4039 * (_e3754 + _e3683))), (0.25f * (_e4041 * (_e3896 + _e3825))), (0.25f * (_e4043 * (_e4038 + _e3967)))));
+phi_6401_ = type_36(_e3574, vec3<f32>((0.5f * _e4039), (0.5f * _e4041), (0.5f * _e4043)), vec3<f32>((0.25f * (_e4039 * (_e3754 + _e3683))), (0.25f * (_e4041 * (_e3896 + _e3825))), (0.25f * (_e4043 * (_e4038 + _e3967)))));
 }
-let _e4073 = phi_6396_;
+let _e4073 = phi_6401_;
 let _e4088 = select(0f, 1f, ((((((_e591 >= _e2293) && (_e591 <= _e2298)) && (_e606 >= _e2307)) && (_e606 <= _e2312)) && (_e621 >= _e2321)) && (_e621 <= _e2326)));
 let _e4090 = (0.5f * (_e3354 - _e3348));
 let _e4092 = (0.5f * (_e3366 - _e3360));
@@ -1146,7 +1146,7 @@ let _e4148 = global_1.member.member_8.member_2.member.member_2;
 let _e4153 = (((_e4100 * _e4090) + (_e4118 * _e4092)) + (_e4136 * _e4094));
 let _e4158 = (((_e4106 * _e4090) + (_e4124 * _e4092)) + (_e4142 * _e4094));
 let _e4163 = (((_e4112 * _e4090) + (_e4130 * _e4092)) + (_e4148 * _e4094));
-phi_8718_ = type_37(_e3342, vec3<f32>((_e4153 * _e4088), (_e4158 * _e4088), (_e4163 * _e4088)), vec3<f32>(_e4153, _e4158, _e4163), _e4073.member, vec3<f32>(((((_e4100 * _e4073.member_2.x) + (_e4118 * _e4073.member_2.y)) + (_e4136 * _e4073.member_2.z)) * _e4088), ((((_e4106 * _e4073.member_2.x) + (_e4124 * _e4073.member_2.y)) + (_e4142 * _e4073.member_2.z)) * _e4088), ((((_e4112 * _e4073.member_2.x) + (_e4130 * _e4073.member_2.y)) + (_e4148 * _e4073.member_2.z)) * _e4088)), vec3<f32>(((((_e4100 * _e4073.member_1.x) + (_e4118 * _e4073.member_1.y)) + (_e4136 * _e4073.member_1.z)) * _e4088), ((((_e4106 * _e4073.member_1.x) + (_e4124 * _e4073.member_1.y)) + (_e4142 * _e4073.member_1.z)) * _e4088), ((((_e4112 * _e4073.member_1.x) + (_e4130 * _e4073.member_1.y)) + (_e4148 * _e4073.member_1.z)) * _e4088)));
+phi_8723_ = type_37(_e3342, vec3<f32>((_e4153 * _e4088), (_e4158 * _e4088), (_e4163 * _e4088)), vec3<f32>(_e4153, _e4158, _e4163), _e4073.member, vec3<f32>(((((_e4100 * _e4073.member_2.x) + (_e4118 * _e4073.member_2.y)) + (_e4136 * _e4073.member_2.z)) * _e4088), ((((_e4106 * _e4073.member_2.x) + (_e4124 * _e4073.member_2.y)) + (_e4142 * _e4073.member_2.z)) * _e4088), ((((_e4112 * _e4073.member_2.x) + (_e4130 * _e4073.member_2.y)) + (_e4148 * _e4073.member_2.z)) * _e4088)), vec3<f32>(((((_e4100 * _e4073.member_1.x) + (_e4118 * _e4073.member_1.y)) + (_e4136 * _e4073.member_1.z)) * _e4088), ((((_e4106 * _e4073.member_1.x) + (_e4124 * _e4073.member_1.y)) + (_e4142 * _e4073.member_1.z)) * _e4088), ((((_e4112 * _e4073.member_1.x) + (_e4130 * _e4073.member_1.y)) + (_e4148 * _e4073.member_1.z)) * _e4088)));
 } else {
 if (_e281.member_2 == 8u) {
 let _e1122 = global_1.member.member_8.member_4.member;
@@ -1163,7 +1163,7 @@ let _e1157 = select(_e1150, _e621, (_e621 > _e1150));
 let _e1159 = select(_e1155, _e1157, (_e1157 < _e1155));
 let _e1164 = global_1.member.member_8.member_15;
 if (_e1164 == 0u) {
-phi_6743_ = vec3<f32>(_e1131, _e1145, _e1159);
+phi_6748_ = vec3<f32>(_e1131, _e1145, _e1159);
 } else {
 let _e1166 = (_e1131 + 0.5f);
 let _e1171 = global_1.member.member_8.member_3.member;
@@ -1183,9 +1183,9 @@ let _e1218 = (_e1217 - 1f);
 let _e1220 = select(0f, _e1212, (_e1212 > 0f));
 let _e1222 = select(_e1218, _e1220, (_e1220 < _e1218));
 let _e1229 = select(0i, select(select(i32(_e1222), i32(-2147483648), (_e1222 < -2147483600f)), 2147483647i, (_e1222 > 2147483500f)), (_e1222 == _e1222));
-phi_6743_ = vec3<f32>(f32((_e1183 - select(0i, 1i, (_e1176 < f32(_e1183))))), f32((_e1206 - select(0i, 1i, (_e1199 < f32(_e1206))))), f32((_e1229 - select(0i, 1i, (_e1222 < f32(_e1229))))));
+phi_6748_ = vec3<f32>(f32((_e1183 - select(0i, 1i, (_e1176 < f32(_e1183))))), f32((_e1206 - select(0i, 1i, (_e1199 < f32(_e1206))))), f32((_e1229 - select(0i, 1i, (_e1222 < f32(_e1229))))));
 }
-let _e1237 = phi_6743_;
+let _e1237 = phi_6748_;
 let _e1243 = global_1.member.member_8.member_3.member;
 let _e1245 = select(-1f, _e1237.x, (_e1237.x > -1f));
 let _e1247 = select(_e1243, _e1245, (_e1245 < _e1243));
@@ -1482,8 +1482,8 @@ let _e2249 = global_1.member.member_8.member_1.member.member_2;
 let _e2255 = global_1.member.member_8.member_2.member.member;
 let _e2261 = global_1.member.member_8.member_2.member.member_1;
 let _e2267 = global_1.member.member_8.member_2.member.member_2;
-phi_8715_ = select(1e9f, _e2169, (_e2169 < 1e9f));
-phi_8716_ = vec3<f32>((((_e2219 * _e2209) + (_e2237 * _e2211)) + (_e2255 * _e2213)), (((_e2225 * _e2209) + (_e2243 * _e2211)) + (_e2261 * _e2213)), (((_e2231 * _e2209) + (_e2249 * _e2211)) + (_e2267 * _e2213)));
+phi_8720_ = select(1e9f, _e2169, (_e2169 < 1e9f));
+phi_8721_ = vec3<f32>((((_e2219 * _e2209) + (_e2237 * _e2211)) + (_e2255 * _e2213)), (((_e2225 * _e2209) + (_e2243 * _e2211)) + (_e2261 * _e2213)), (((_e2231 * _e2209) + (_e2249 * _e2211)) + (_e2267 * _e2213)));
 } else {
 let _e636 = global_1.member.member_8.member_4.member;
 let _e641 = global_1.member.member_8.member_5.member;
@@ -1499,7 +1499,7 @@ let _e671 = select(_e664, _e621, (_e621 > _e664));
 let _e673 = select(_e669, _e671, (_e671 < _e669));
 let _e678 = global_1.member.member_8.member_15;
 if (_e678 == 0u) {
-phi_8246_ = vec3<f32>(_e645, _e659, _e673);
+phi_8251_ = vec3<f32>(_e645, _e659, _e673);
 } else {
 let _e680 = (_e645 + 0.5f);
 let _e685 = global_1.member.member_8.member_3.member;
@@ -1519,9 +1519,9 @@ let _e732 = (_e731 - 1f);
 let _e734 = select(0f, _e726, (_e726 > 0f));
 let _e736 = select(_e732, _e734, (_e734 < _e732));
 let _e743 = select(0i, select(select(i32(_e736), i32(-2147483648), (_e736 < -2147483600f)), 2147483647i, (_e736 > 2147483500f)), (_e736 == _e736));
-phi_8246_ = vec3<f32>(f32((_e697 - select(0i, 1i, (_e690 < f32(_e697))))), f32((_e720 - select(0i, 1i, (_e713 < f32(_e720))))), f32((_e743 - select(0i, 1i, (_e736 < f32(_e743))))));
+phi_8251_ = vec3<f32>(f32((_e697 - select(0i, 1i, (_e690 < f32(_e697))))), f32((_e720 - select(0i, 1i, (_e713 < f32(_e720))))), f32((_e743 - select(0i, 1i, (_e736 < f32(_e743))))));
 }
-let _e751 = phi_8246_;
+let _e751 = phi_8251_;
 let _e757 = global_1.member.member_8.member_3.member;
 let _e759 = select(-1f, _e751.x, (_e751.x > -1f));
 let _e761 = select(_e757, _e759, (_e759 < _e757));
@@ -1624,18 +1624,18 @@ let _e1110 = global_1.member.member_8.member_7;
 let _e1112 = (((_e991 + (((_e1042 + (((_e1082 + ((f32(bitcast<i32>(((_e1075 >> bitcast<u32>((_e1083 & 31u))) & 255u))) - _e1082) * _e1090)) - _e1042) * _e1094)) - _e991) * _e1099)) - _e1106) * _e1110);
 let _e1113 = -(1e9f);
 let _e1115 = select(_e1113, _e1112, (_e1112 > _e1113));
-phi_8715_ = select(1e9f, _e1115, (_e1115 < 1e9f));
-phi_8716_ = vec3<f32>(0f, 0f, 0f);
+phi_8720_ = select(1e9f, _e1115, (_e1115 < 1e9f));
+phi_8721_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e2285 = phi_8715_;
-let _e2287 = phi_8716_;
-phi_8718_ = type_37(_e2285, vec3<f32>(0f, 0f, 0f), _e2287, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e2285 = phi_8720_;
+let _e2287 = phi_8721_;
+phi_8723_ = type_37(_e2285, vec3<f32>(0f, 0f, 0f), _e2287, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e4215 = phi_8718_;
+let _e4215 = phi_8723_;
 let _e4218 = global_1.member.member_1;
 let _e4220 = ((_e4218 & 16u) == 0u);
 if _e4220 {
-phi_9231_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_9236_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e4224 = global_1.member.member_16.member;
 let _e4235 = ((((_e4224.member.member * _e307) + (_e4224.member.member_1 * _e317)) + (_e4224.member.member_2 * _e328)) + _e4224.member_1);
@@ -1701,9 +1701,9 @@ let _e4410 = global_1.member.member_19.member_1;
 let _e4411 = (_e4410 != 0u);
 let _e4416 = select(0f, _e4405, _e4411);
 let _e4417 = select(1f, _e4406, _e4411);
-phi_9231_ = type_38(type_35(select(_e4405, _e4362, (_e4362 > _e4405)), select(_e4406, _e4364, (_e4364 < _e4406))), type_35(select(_e4416, _e4368, (_e4368 > _e4416)), select(_e4417, _e4370, (_e4370 < _e4417))), ((((1f * select(1f, 0f, (_e4258 && _e4250))) * select(1f, 0f, (_e4309 && _e4301))) * select(1f, 0f, (_e4360 && _e4352))) * select(1f, 0f, (_e4411 && _e4403))));
+phi_9236_ = type_38(type_35(select(_e4405, _e4362, (_e4362 > _e4405)), select(_e4406, _e4364, (_e4364 < _e4406))), type_35(select(_e4416, _e4368, (_e4368 > _e4416)), select(_e4417, _e4370, (_e4370 < _e4417))), ((((1f * select(1f, 0f, (_e4258 && _e4250))) * select(1f, 0f, (_e4309 && _e4301))) * select(1f, 0f, (_e4360 && _e4352))) * select(1f, 0f, (_e4411 && _e4403))));
 }
-let _e4429 = phi_9231_;
+let _e4429 = phi_9236_;
 if _e549 {
 let _e4431 = type_34(_e571, _e572, _e372, 4f, _e394, _e573, _e438, _e574, _e482, _e493, _e504, _e515, _e575);
 let _e4436 = global_1.member.member_7.member_2;
@@ -1829,7 +1829,7 @@ let _e4757 = select(select(select(select(select(select(0f, _e4468.member, _e4538
 let _e4758 = select(select(select(select(select(select(0f, _e4468.member_1, _e4538), _e4468.member_1, _e4578), _e4476.member_1, _e4618), _e4476.member_1, _e4658), _e4484.member_1, _e4698), _e4484.member_1, _e4738);
 let _e4759 = select(select(select(select(select(select(1f, _e4468.member_2, _e4538), _e4468.member_2, _e4578), _e4476.member_2, _e4618), _e4476.member_2, _e4658), _e4484.member_2, _e4698), _e4484.member_2, _e4738);
 if _e4220 {
-phi_10566_ = type_39(_e4744, vec3<f32>(_e4745, _e4746, _e4747), _e4749, vec3<f32>(_e4750, _e4751, _e4752), _e4754, _e4756, vec3<f32>(_e4757, _e4758, _e4759));
+phi_10571_ = type_39(_e4744, vec3<f32>(_e4745, _e4746, _e4747), _e4749, vec3<f32>(_e4750, _e4751, _e4752), _e4754, _e4756, vec3<f32>(_e4757, _e4758, _e4759));
 } else {
 let _e4766 = (((_e4468.member * _e4468.member) + (_e4468.member_1 * _e4468.member_1)) + (_e4468.member_2 * _e4468.member_2));
 let _e4769 = sqrt(select(0f, _e4766, (_e4766 > 0f)));
@@ -1909,21 +1909,21 @@ let _e5053 = select(2f, select(0f, _e5045, (_e5026 < 0f)), (_e5027 > 0f));
 let _e5054 = (_e5026 > _e4992);
 let _e5058 = ((_e5049 > _e4984) || ((_e5049 == _e4984) && _e5054));
 let _e5059 = (_e5053 < _e4988);
-phi_10566_ = type_39(select(_e4984, _e5049, _e5058), vec3<f32>(select(select(select(select(_e4745, _e4804.member, _e4830), _e4880.member, _e4906), _e4956.member, _e4982), _e5032.member, _e5058), select(select(select(select(_e4746, _e4804.member_1, _e4830), _e4880.member_1, _e4906), _e4956.member_1, _e4982), _e5032.member_1, _e5058), select(select(select(select(_e4747, _e4804.member_2, _e4830), _e4880.member_2, _e4906), _e4956.member_2, _e4982), _e5032.member_2, _e5058)), select(_e4988, _e5053, _e5059), vec3<f32>(select(select(select(select(_e4750, _e4804.member, _e4831), _e4880.member, _e4907), _e4956.member, _e4983), _e5032.member, _e5059), select(select(select(select(_e4751, _e4804.member_1, _e4831), _e4880.member_1, _e4907), _e4956.member_1, _e4983), _e5032.member_1, _e5059), select(select(select(select(_e4752, _e4804.member_2, _e4831), _e4880.member_2, _e4907), _e4956.member_2, _e4983), _e5032.member_2, _e5059)), select(_e4992, _e5026, _e5054), select(_e4994, _e5027, (_e5027 > _e4994)), vec3<f32>(select(select(select(select(_e4757, _e4804.member, _e4826), _e4880.member, _e4902), _e4956.member, _e4978), _e5032.member, _e5054), select(select(select(select(_e4758, _e4804.member_1, _e4826), _e4880.member_1, _e4902), _e4956.member_1, _e4978), _e5032.member_1, _e5054), select(select(select(select(_e4759, _e4804.member_2, _e4826), _e4880.member_2, _e4902), _e4956.member_2, _e4978), _e5032.member_2, _e5054)));
+phi_10571_ = type_39(select(_e4984, _e5049, _e5058), vec3<f32>(select(select(select(select(_e4745, _e4804.member, _e4830), _e4880.member, _e4906), _e4956.member, _e4982), _e5032.member, _e5058), select(select(select(select(_e4746, _e4804.member_1, _e4830), _e4880.member_1, _e4906), _e4956.member_1, _e4982), _e5032.member_1, _e5058), select(select(select(select(_e4747, _e4804.member_2, _e4830), _e4880.member_2, _e4906), _e4956.member_2, _e4982), _e5032.member_2, _e5058)), select(_e4988, _e5053, _e5059), vec3<f32>(select(select(select(select(_e4750, _e4804.member, _e4831), _e4880.member, _e4907), _e4956.member, _e4983), _e5032.member, _e5059), select(select(select(select(_e4751, _e4804.member_1, _e4831), _e4880.member_1, _e4907), _e4956.member_1, _e4983), _e5032.member_1, _e5059), select(select(select(select(_e4752, _e4804.member_2, _e4831), _e4880.member_2, _e4907), _e4956.member_2, _e4983), _e5032.member_2, _e5059)), select(_e4992, _e5026, _e5054), select(_e4994, _e5027, (_e5027 > _e4994)), vec3<f32>(select(select(select(select(_e4757, _e4804.member, _e4826), _e4880.member, _e4902), _e4956.member, _e4978), _e5032.member, _e5054), select(select(select(select(_e4758, _e4804.member_1, _e4826), _e4880.member_1, _e4902), _e4956.member_1, _e4978), _e5032.member_1, _e5054), select(select(select(select(_e4759, _e4804.member_2, _e4826), _e4880.member_2, _e4902), _e4956.member_2, _e4978), _e5032.member_2, _e5054)));
 }
-let _e5079 = phi_10566_;
+let _e5079 = phi_10571_;
 let _e5089 = (select(select(0.5f, _e5079.member_2, (_e5079.member_2 < 1f)), 0f, (_e493 == -1.2676506e30f)) * ((_e4436 / _e361) * select(_e4429.member_2, 0f, (_e482 == 0f))));
-phi_10603_ = type_34(_e4431.member, vec3<f32>((_e339 - (_e4215.member_4.x * _e5089)), (_e350 - (_e4215.member_4.y * _e5089)), (_e361 - (_e4215.member_4.z * _e5089))), _e4431.member_2, _e4431.member_3, _e4431.member_4, _e4431.member_5, _e4431.member_6, _e4431.member_7, _e4431.member_8, _e4431.member_9, _e4431.member_10, _e4431.member_11, _e4431.member_12);
+phi_10608_ = type_34(_e4431.member, vec3<f32>((_e339 - (_e4215.member_4.x * _e5089)), (_e350 - (_e4215.member_4.y * _e5089)), (_e361 - (_e4215.member_4.z * _e5089))), _e4431.member_2, _e4431.member_3, _e4431.member_4, _e4431.member_5, _e4431.member_6, _e4431.member_7, _e4431.member_8, _e4431.member_9, _e4431.member_10, _e4431.member_11, _e4431.member_12);
 } else {
-phi_10603_ = type_34(_e571, _e572, _e372, _e383, _e394, _e573, _e438, _e574, _e482, _e493, _e504, _e515, _e575);
+phi_10608_ = type_34(_e571, _e572, _e372, _e383, _e394, _e573, _e438, _e574, _e482, _e493, _e504, _e515, _e575);
 }
-let _e5114 = phi_10603_;
+let _e5114 = phi_10608_;
 let _e5119 = global_1.member.member_12.member_3;
 let _e5120 = (_e5119 == 0u);
 if _e5120 {
 let _e5338 = global_1.member.member_11.member_1;
 let _e5346 = global_1.member.member_11.member;
-phi_10863_ = type_40(vec3<f32>(_e5338.member, _e5338.member_1, _e5338.member_2), vec3<f32>(_e5346.member, _e5346.member_1, _e5346.member_2));
+phi_10868_ = type_40(vec3<f32>(_e5338.member, _e5338.member_1, _e5338.member_2), vec3<f32>(_e5346.member, _e5346.member_1, _e5346.member_2));
 } else {
 let _e5124 = global_1.member.member_12.member;
 let _e5138 = ((((_e5124.member.member * _e5114.member.x) + (_e5124.member.member_1 * _e5114.member.y)) + (_e5124.member.member_2 * _e5114.member.z)) + _e5124.member_1);
@@ -1933,18 +1933,18 @@ let _e5157 = global_1.member.member_12.member_2;
 let _e5168 = ((((_e5157.member.member * _e5114.member.x) + (_e5157.member.member_1 * _e5114.member.y)) + (_e5157.member.member_2 * _e5114.member.z)) + _e5157.member_1);
 let _e5172 = global_1.member.member_11.member_1;
 if _e5120 {
-phi_10707_ = 1f;
+phi_10712_ = 1f;
 } else {
 let _e5179 = global_1.member.member_12.member_19;
 let _e5183 = (_e5138 - _e5179.member);
 let _e5184 = (_e5153 - _e5179.member_1);
 let _e5185 = (_e5168 - _e5179.member_2);
 let _e5190 = (((_e5183 * _e5183) + (_e5184 * _e5184)) + (_e5185 * _e5185));
-phi_10707_ = (1f / select(1e-12f, _e5190, (_e5190 > 1e-12f)));
+phi_10712_ = (1f / select(1e-12f, _e5190, (_e5190 > 1e-12f)));
 }
-let _e5195 = phi_10707_;
+let _e5195 = phi_10712_;
 if _e5120 {
-phi_10791_ = 1f;
+phi_10796_ = 1f;
 } else {
 let _e5199 = global_1.member.member_12.member_19;
 let _e5203 = (_e5138 - _e5199.member);
@@ -1961,9 +1961,9 @@ let _e5246 = global_1.member.member_12.member_20.member_2;
 let _e5247 = ((_e5240 - (sqrt(select(0f, _e5229, (_e5229 > 0f))) / select(1e-20f, _e5218, (_e5218 > 1e-20f)))) * _e5246);
 let _e5249 = select(0f, _e5247, (_e5247 > 0f));
 let _e5251 = select(1f, _e5249, (_e5249 < 1f));
-phi_10791_ = select(1f, select(0f, ((_e5251 * _e5251) * (3f - (2f * _e5251))), (_e5218 > 0f)), (_e5246 > 0f));
+phi_10796_ = select(1f, select(0f, ((_e5251 * _e5251) * (3f - (2f * _e5251))), (_e5218 > 0f)), (_e5246 > 0f));
 }
-let _e5261 = phi_10791_;
+let _e5261 = phi_10796_;
 let _e5262 = (_e5195 * _e5261);
 let _e5267 = (_e5119 != 0u);
 let _e5271 = global_1.member.member_12.member_19;
@@ -1979,18 +1979,18 @@ let _e5294 = select(1f, (_e5277 * _e5288), _e5267);
 let _e5299 = global_1.member.member_12.member.member;
 let _e5310 = global_1.member.member_12.member_1.member;
 let _e5324 = global_1.member.member_12.member_2.member;
-phi_10863_ = type_40(vec3<f32>((_e5172.member * _e5262), (_e5172.member_1 * _e5262), (_e5172.member_2 * _e5262)), (vec3<f32>(((_e5299.member * _e5292) + (_e5310.member * _e5293)), ((_e5299.member_1 * _e5292) + (_e5310.member_1 * _e5293)), ((_e5299.member_2 * _e5292) + (_e5310.member_2 * _e5293))) + vec3<f32>((_e5324.member * _e5294), (_e5324.member_1 * _e5294), (_e5324.member_2 * _e5294))));
+phi_10868_ = type_40(vec3<f32>((_e5172.member * _e5262), (_e5172.member_1 * _e5262), (_e5172.member_2 * _e5262)), (vec3<f32>(((_e5299.member * _e5292) + (_e5310.member * _e5293)), ((_e5299.member_1 * _e5292) + (_e5310.member_1 * _e5293)), ((_e5299.member_2 * _e5292) + (_e5310.member_2 * _e5293))) + vec3<f32>((_e5324.member * _e5294), (_e5324.member_1 * _e5294), (_e5324.member_2 * _e5294))));
 }
-let _e5353 = phi_10863_;
-phi_10868_ = _e5114;
-phi_10870_ = _e4429.member_2;
-phi_10874_ = _e4215;
-phi_10876_ = 0i;
+let _e5353 = phi_10868_;
+phi_10873_ = _e5114;
+phi_10875_ = _e4429.member_2;
+phi_10881_ = _e4215;
+phi_10883_ = 0i;
 loop {
-let _e5355 = phi_10868_;
-let _e5357 = phi_10870_;
-let _e5359 = phi_10874_;
-let _e5361 = phi_10876_;
+let _e5355 = phi_10873_;
+let _e5357 = phi_10875_;
+let _e5359 = phi_10881_;
+let _e5361 = phi_10883_;
 local_62 = _e5355;
 local_63 = _e5355;
 local_64 = _e5355;
@@ -2164,7 +2164,7 @@ let _e5788 = select(select(select(select(select(select(0f, _e5436.member, _e5569
 let _e5789 = select(select(select(select(select(select(0f, _e5436.member_1, _e5569), _e5436.member_1, _e5609), _e5507.member_1, _e5649), _e5507.member_1, _e5689), _e5515.member_1, _e5729), _e5515.member_1, _e5769);
 let _e5790 = select(select(select(select(select(select(1f, _e5436.member_2, _e5569), _e5436.member_2, _e5609), _e5507.member_2, _e5649), _e5507.member_2, _e5689), _e5515.member_2, _e5729), _e5515.member_2, _e5769);
 if _e4220 {
-phi_12351_ = type_39(_e5775, vec3<f32>(_e5776, _e5777, _e5778), _e5780, vec3<f32>(_e5781, _e5782, _e5783), _e5785, _e5787, vec3<f32>(_e5788, _e5789, _e5790));
+phi_12358_ = type_39(_e5775, vec3<f32>(_e5776, _e5777, _e5778), _e5780, vec3<f32>(_e5781, _e5782, _e5783), _e5785, _e5787, vec3<f32>(_e5788, _e5789, _e5790));
 } else {
 let _e5796 = global_1.member.member_16.member_1;
 let _e5797 = (_e5796 != 0u);
@@ -2242,26 +2242,26 @@ let _e6076 = select(2f, select(0f, _e6068, (_e6049 < 0f)), (_e6050 > 0f));
 let _e6077 = (_e6049 > _e6015);
 let _e6081 = ((_e6072 > _e6007) || ((_e6072 == _e6007) && _e6077));
 let _e6082 = (_e6076 < _e6011);
-phi_12351_ = type_39(select(_e6007, _e6072, _e6081), vec3<f32>(select(select(select(select(_e5776, _e5827.member, _e5853), _e5903.member, _e5929), _e5979.member, _e6005), _e6055.member, _e6081), select(select(select(select(_e5777, _e5827.member_1, _e5853), _e5903.member_1, _e5929), _e5979.member_1, _e6005), _e6055.member_1, _e6081), select(select(select(select(_e5778, _e5827.member_2, _e5853), _e5903.member_2, _e5929), _e5979.member_2, _e6005), _e6055.member_2, _e6081)), select(_e6011, _e6076, _e6082), vec3<f32>(select(select(select(select(_e5781, _e5827.member, _e5854), _e5903.member, _e5930), _e5979.member, _e6006), _e6055.member, _e6082), select(select(select(select(_e5782, _e5827.member_1, _e5854), _e5903.member_1, _e5930), _e5979.member_1, _e6006), _e6055.member_1, _e6082), select(select(select(select(_e5783, _e5827.member_2, _e5854), _e5903.member_2, _e5930), _e5979.member_2, _e6006), _e6055.member_2, _e6082)), select(_e6015, _e6049, _e6077), select(_e6017, _e6050, (_e6050 > _e6017)), vec3<f32>(select(select(select(select(_e5788, _e5827.member, _e5849), _e5903.member, _e5925), _e5979.member, _e6001), _e6055.member, _e6077), select(select(select(select(_e5789, _e5827.member_1, _e5849), _e5903.member_1, _e5925), _e5979.member_1, _e6001), _e6055.member_1, _e6077), select(select(select(select(_e5790, _e5827.member_2, _e5849), _e5903.member_2, _e5925), _e5979.member_2, _e6001), _e6055.member_2, _e6077)));
+phi_12358_ = type_39(select(_e6007, _e6072, _e6081), vec3<f32>(select(select(select(select(_e5776, _e5827.member, _e5853), _e5903.member, _e5929), _e5979.member, _e6005), _e6055.member, _e6081), select(select(select(select(_e5777, _e5827.member_1, _e5853), _e5903.member_1, _e5929), _e5979.member_1, _e6005), _e6055.member_1, _e6081), select(select(select(select(_e5778, _e5827.member_2, _e5853), _e5903.member_2, _e5929), _e5979.member_2, _e6005), _e6055.member_2, _e6081)), select(_e6011, _e6076, _e6082), vec3<f32>(select(select(select(select(_e5781, _e5827.member, _e5854), _e5903.member, _e5930), _e5979.member, _e6006), _e6055.member, _e6082), select(select(select(select(_e5782, _e5827.member_1, _e5854), _e5903.member_1, _e5930), _e5979.member_1, _e6006), _e6055.member_1, _e6082), select(select(select(select(_e5783, _e5827.member_2, _e5854), _e5903.member_2, _e5930), _e5979.member_2, _e6006), _e6055.member_2, _e6082)), select(_e6015, _e6049, _e6077), select(_e6017, _e6050, (_e6050 > _e6017)), vec3<f32>(select(select(select(select(_e5788, _e5827.member, _e5849), _e5903.member, _e5925), _e5979.member, _e6001), _e6055.member, _e6077), select(select(select(select(_e5789, _e5827.member_1, _e5849), _e5903.member_1, _e5925), _e5979.member_1, _e6001), _e6055.member_1, _e6077), select(select(select(select(_e5790, _e5827.member_2, _e5849), _e5903.member_2, _e5925), _e5979.member_2, _e6001), _e6055.member_2, _e6077)));
 }
-let _e6102 = phi_12351_;
+let _e6102 = phi_12358_;
 if _e5368 {
-phi_12363_ = (_e6102.member_2 <= 1f);
+phi_12370_ = (_e6102.member_2 <= 1f);
 } else {
-phi_12363_ = ((_e6102.member <= 1f) && (_e6102.member < _e6102.member_2));
+phi_12370_ = ((_e6102.member <= 1f) && (_e6102.member < _e6102.member_2));
 }
-let _e6110 = phi_12363_;
+let _e6110 = phi_12370_;
 if (!(_e5368) && !(_e6110)) {
-phi_43508_ = type_34(_e5355.member, _e5355.member_1, _e5355.member_2, 3f, _e5355.member_4, _e5355.member_5, _e5355.member_6, _e5355.member_7, _e5355.member_8, _e5355.member_9, _e5355.member_10, _e5355.member_11, _e5355.member_12);
-phi_43509_ = _e5357;
-phi_43511_ = _e5359;
+phi_43529_ = type_34(_e5355.member, _e5355.member_1, _e5355.member_2, 3f, _e5355.member_4, _e5355.member_5, _e5355.member_6, _e5355.member_7, _e5355.member_8, _e5355.member_9, _e5355.member_10, _e5355.member_11, _e5355.member_12);
+phi_43530_ = _e5357;
+phi_43533_ = _e5359;
 } else {
 if _e5368 {
-phi_12378_ = _e6102.member_3;
+phi_12385_ = _e6102.member_3;
 } else {
-phi_12378_ = _e6102.member_1;
+phi_12385_ = _e6102.member_1;
 }
-let _e6117 = phi_12378_;
+let _e6117 = phi_12385_;
 let _e6118 = select(_e6102.member, _e6102.member_2, _e5368);
 let _e6122 = select(1f, _e6118, _e6110);
 let _e6126 = (_e5355.member.x + ((_e5462 - _e5355.member.x) * _e6122));
@@ -2287,7 +2287,7 @@ let _e6212 = global_1.member.member_15.member.member_1;
 let _e6219 = select(_e6207.member, _e6196.member, _e6190);
 let _e6220 = select(_e6207.member_1, _e6196.member_1, _e6190);
 let _e6221 = select(_e6207.member_2, _e6196.member_2, _e6190);
-let _e6231 = (_e6153 || _e6182);
+let _e6232 = (_e6153 || _e6182);
 let _e6238 = ((((_e580.member.member * _e6126) + (_e580.member.member_1 * _e6127)) + (_e580.member.member_2 * _e6128)) + _e580.member_1);
 let _e6244 = ((((_e595.member.member * _e6126) + (_e595.member.member_1 * _e6127)) + (_e595.member.member_2 * _e6128)) + _e595.member_1);
 let _e6250 = ((((_e610.member.member * _e6126) + (_e610.member.member_1 * _e6127)) + (_e610.member.member_2 * _e6128)) + _e610.member_1);
@@ -2300,7 +2300,7 @@ let _e7798 = select(_e5533, _e6250, (_e6250 > _e5533));
 let _e7800 = select(_e5548, _e7798, (_e7798 < _e5548));
 let _e7805 = global_1.member.member_8.member_15;
 if (_e7805 == 0u) {
-phi_12738_ = vec3<f32>(_e7792, _e7796, _e7800);
+phi_12745_ = vec3<f32>(_e7792, _e7796, _e7800);
 } else {
 let _e7807 = (_e7792 + 0.5f);
 let _e7808 = (_e5418 - 1f);
@@ -2317,9 +2317,9 @@ let _e7844 = (_e5428 - 1f);
 let _e7846 = select(0f, _e7843, (_e7843 > 0f));
 let _e7848 = select(_e7844, _e7846, (_e7846 < _e7844));
 let _e7855 = select(0i, select(select(i32(_e7848), i32(-2147483648), (_e7848 < -2147483600f)), 2147483647i, (_e7848 > 2147483500f)), (_e7848 == _e7848));
-phi_12738_ = vec3<f32>(f32((_e7819 - select(0i, 1i, (_e7812 < f32(_e7819))))), f32((_e7837 - select(0i, 1i, (_e7830 < f32(_e7837))))), f32((_e7855 - select(0i, 1i, (_e7848 < f32(_e7855))))));
+phi_12745_ = vec3<f32>(f32((_e7819 - select(0i, 1i, (_e7812 < f32(_e7819))))), f32((_e7837 - select(0i, 1i, (_e7830 < f32(_e7837))))), f32((_e7855 - select(0i, 1i, (_e7848 < f32(_e7855))))));
 }
-let _e7863 = phi_12738_;
+let _e7863 = phi_12745_;
 let _e7866 = select(-1f, _e7863.x, (_e7863.x > -1f));
 let _e7868 = select(_e5418, _e7866, (_e7866 < _e5418));
 let _e7875 = select(0i, select(select(i32(_e7868), i32(-2147483648), (_e7868 < -2147483600f)), 2147483647i, (_e7868 > 2147483500f)), (_e7868 == _e7868));
@@ -2695,7 +2695,7 @@ if _e629 {
 let _e9503 = ((0.5f * (_e8794 - _e8788)) * _e9052);
 let _e9504 = ((0.5f * (_e8806 - _e8800)) * _e9052);
 let _e9505 = ((0.5f * (_e8818 - _e8812)) * _e9052);
-phi_18059_ = type_36(_e9014, vec3<f32>(_e9503, _e9504, _e9505), vec3<f32>((_e9503 * _e9014), (_e9504 * _e9014), (_e9505 * _e9014)));
+phi_18066_ = type_36(_e9014, vec3<f32>(_e9503, _e9504, _e9505), vec3<f32>((_e9503 * _e9014), (_e9504 * _e9014), (_e9505 * _e9014)));
 } else {
 local_35 = _e8788;
 let _e9053 = local_35;
@@ -2844,9 +2844,9 @@ let _e9478 = ((_e8999 + (f32(bitcast<i32>((_e9463 >> bitcast<u32>(12u)))) * _e90
 let _e9479 = (_e9194 - _e9123);
 let _e9481 = (_e9336 - _e9265);
 let _e9483 = (_e9478 - _e9407);
-phi_18059_ = type_36(_e9014, vec3<f32>((0.5f * _e9479), (0.5f * _e9481), (0.5f * _e9483)), vec3<f32>((0.25f * (_e9479 * (_e9194 + _e9123))), (0.25f * (_e9481 * (_e9336 + _e9265))), (0.25f * (_e9483 * (_e9478 + _e9407)))));
+phi_18066_ = type_36(_e9014, vec3<f32>((0.5f * _e9479), (0.5f * _e9481), (0.5f * _e9483)), vec3<f32>((0.25f * (_e9479 * (_e9194 + _e9123))), (0.25f * (_e9481 * (_e9336 + _e9265))), (0.25f * (_e9483 * (_e9478 + _e9407)))));
 }
-let _e9513 = phi_18059_;
+let _e9513 = phi_18066_;
 let _e9528 = select(0f, 1f, ((((((_e6238 >= _e5523) && (_e6238 <= _e5538)) && (_e6244 >= _e5528)) && (_e6244 <= _e5543)) && (_e6250 >= _e5533)) && (_e6250 <= _e5548)));
 let _e9530 = (0.5f * (_e8794 - _e8788));
 let _e9532 = (0.5f * (_e8806 - _e8800));
@@ -2863,7 +2863,7 @@ let _e9588 = global_1.member.member_8.member_2.member.member_2;
 let _e9593 = (((_e9540 * _e9530) + (_e9558 * _e9532)) + (_e9576 * _e9534));
 let _e9598 = (((_e9546 * _e9530) + (_e9564 * _e9532)) + (_e9582 * _e9534));
 let _e9603 = (((_e9552 * _e9530) + (_e9570 * _e9532)) + (_e9588 * _e9534));
-phi_20381_ = type_37(_e8782, vec3<f32>((_e9593 * _e9528), (_e9598 * _e9528), (_e9603 * _e9528)), vec3<f32>(_e9593, _e9598, _e9603), _e9513.member, vec3<f32>(((((_e9540 * _e9513.member_2.x) + (_e9558 * _e9513.member_2.y)) + (_e9576 * _e9513.member_2.z)) * _e9528), ((((_e9546 * _e9513.member_2.x) + (_e9564 * _e9513.member_2.y)) + (_e9582 * _e9513.member_2.z)) * _e9528), ((((_e9552 * _e9513.member_2.x) + (_e9570 * _e9513.member_2.y)) + (_e9588 * _e9513.member_2.z)) * _e9528)), vec3<f32>(((((_e9540 * _e9513.member_1.x) + (_e9558 * _e9513.member_1.y)) + (_e9576 * _e9513.member_1.z)) * _e9528), ((((_e9546 * _e9513.member_1.x) + (_e9564 * _e9513.member_1.y)) + (_e9582 * _e9513.member_1.z)) * _e9528), ((((_e9552 * _e9513.member_1.x) + (_e9570 * _e9513.member_1.y)) + (_e9588 * _e9513.member_1.z)) * _e9528)));
+phi_20388_ = type_37(_e8782, vec3<f32>((_e9593 * _e9528), (_e9598 * _e9528), (_e9603 * _e9528)), vec3<f32>(_e9593, _e9598, _e9603), _e9513.member, vec3<f32>(((((_e9540 * _e9513.member_2.x) + (_e9558 * _e9513.member_2.y)) + (_e9576 * _e9513.member_2.z)) * _e9528), ((((_e9546 * _e9513.member_2.x) + (_e9564 * _e9513.member_2.y)) + (_e9582 * _e9513.member_2.z)) * _e9528), ((((_e9552 * _e9513.member_2.x) + (_e9570 * _e9513.member_2.y)) + (_e9588 * _e9513.member_2.z)) * _e9528)), vec3<f32>(((((_e9540 * _e9513.member_1.x) + (_e9558 * _e9513.member_1.y)) + (_e9576 * _e9513.member_1.z)) * _e9528), ((((_e9546 * _e9513.member_1.x) + (_e9564 * _e9513.member_1.y)) + (_e9582 * _e9513.member_1.z)) * _e9528), ((((_e9552 * _e9513.member_1.x) + (_e9570 * _e9513.member_1.y)) + (_e9588 * _e9513.member_1.z)) * _e9528)));
 } else {
 if (_e281.member_2 == 8u) {
 let _e6679 = select(_e5523, _e6238, (_e6238 > _e5523));
@@ -2874,7 +2874,7 @@ let _e6687 = select(_e5533, _e6250, (_e6250 > _e5533));
 let _e6689 = select(_e5548, _e6687, (_e6687 < _e5548));
 let _e6694 = global_1.member.member_8.member_15;
 if (_e6694 == 0u) {
-phi_18406_ = vec3<f32>(_e6681, _e6685, _e6689);
+phi_18413_ = vec3<f32>(_e6681, _e6685, _e6689);
 } else {
 let _e6696 = (_e6681 + 0.5f);
 let _e6697 = (_e5418 - 1f);
@@ -2891,9 +2891,9 @@ let _e6733 = (_e5428 - 1f);
 let _e6735 = select(0f, _e6732, (_e6732 > 0f));
 let _e6737 = select(_e6733, _e6735, (_e6735 < _e6733));
 let _e6744 = select(0i, select(select(i32(_e6737), i32(-2147483648), (_e6737 < -2147483600f)), 2147483647i, (_e6737 > 2147483500f)), (_e6737 == _e6737));
-phi_18406_ = vec3<f32>(f32((_e6708 - select(0i, 1i, (_e6701 < f32(_e6708))))), f32((_e6726 - select(0i, 1i, (_e6719 < f32(_e6726))))), f32((_e6744 - select(0i, 1i, (_e6737 < f32(_e6744))))));
+phi_18413_ = vec3<f32>(f32((_e6708 - select(0i, 1i, (_e6701 < f32(_e6708))))), f32((_e6726 - select(0i, 1i, (_e6719 < f32(_e6726))))), f32((_e6744 - select(0i, 1i, (_e6737 < f32(_e6744))))));
 }
-let _e6752 = phi_18406_;
+let _e6752 = phi_18413_;
 let _e6755 = select(-1f, _e6752.x, (_e6752.x > -1f));
 let _e6757 = select(_e5418, _e6755, (_e6755 < _e5418));
 let _e6764 = select(0i, select(select(i32(_e6757), i32(-2147483648), (_e6757 < -2147483600f)), 2147483647i, (_e6757 > 2147483500f)), (_e6757 == _e6757));
@@ -3187,8 +3187,8 @@ let _e7749 = global_1.member.member_8.member_1.member.member_2;
 let _e7755 = global_1.member.member_8.member_2.member.member;
 let _e7761 = global_1.member.member_8.member_2.member.member_1;
 let _e7767 = global_1.member.member_8.member_2.member.member_2;
-phi_20378_ = select(1e9f, _e7669, (_e7669 < 1e9f));
-phi_20379_ = vec3<f32>((((_e7719 * _e7709) + (_e7737 * _e7711)) + (_e7755 * _e7713)), (((_e7725 * _e7709) + (_e7743 * _e7711)) + (_e7761 * _e7713)), (((_e7731 * _e7709) + (_e7749 * _e7711)) + (_e7767 * _e7713)));
+phi_20385_ = select(1e9f, _e7669, (_e7669 < 1e9f));
+phi_20386_ = vec3<f32>((((_e7719 * _e7709) + (_e7737 * _e7711)) + (_e7755 * _e7713)), (((_e7725 * _e7709) + (_e7743 * _e7711)) + (_e7761 * _e7713)), (((_e7731 * _e7709) + (_e7749 * _e7711)) + (_e7767 * _e7713)));
 } else {
 let _e6253 = select(_e5523, _e6238, (_e6238 > _e5523));
 let _e6255 = select(_e5538, _e6253, (_e6253 < _e5538));
@@ -3198,7 +3198,7 @@ let _e6261 = select(_e5533, _e6250, (_e6250 > _e5533));
 let _e6263 = select(_e5548, _e6261, (_e6261 < _e5548));
 let _e6268 = global_1.member.member_8.member_15;
 if (_e6268 == 0u) {
-phi_19909_ = vec3<f32>(_e6255, _e6259, _e6263);
+phi_19916_ = vec3<f32>(_e6255, _e6259, _e6263);
 } else {
 let _e6270 = (_e6255 + 0.5f);
 let _e6271 = (_e5418 - 1f);
@@ -3215,9 +3215,9 @@ let _e6307 = (_e5428 - 1f);
 let _e6309 = select(0f, _e6306, (_e6306 > 0f));
 let _e6311 = select(_e6307, _e6309, (_e6309 < _e6307));
 let _e6318 = select(0i, select(select(i32(_e6311), i32(-2147483648), (_e6311 < -2147483600f)), 2147483647i, (_e6311 > 2147483500f)), (_e6311 == _e6311));
-phi_19909_ = vec3<f32>(f32((_e6282 - select(0i, 1i, (_e6275 < f32(_e6282))))), f32((_e6300 - select(0i, 1i, (_e6293 < f32(_e6300))))), f32((_e6318 - select(0i, 1i, (_e6311 < f32(_e6318))))));
+phi_19916_ = vec3<f32>(f32((_e6282 - select(0i, 1i, (_e6275 < f32(_e6282))))), f32((_e6300 - select(0i, 1i, (_e6293 < f32(_e6300))))), f32((_e6318 - select(0i, 1i, (_e6311 < f32(_e6318))))));
 }
-let _e6326 = phi_19909_;
+let _e6326 = phi_19916_;
 let _e6329 = select(-1f, _e6326.x, (_e6326.x > -1f));
 let _e6331 = select(_e5418, _e6329, (_e6329 < _e5418));
 let _e6338 = select(0i, select(select(i32(_e6331), i32(-2147483648), (_e6331 < -2147483600f)), 2147483647i, (_e6331 > 2147483500f)), (_e6331 == _e6331));
@@ -3317,16 +3317,16 @@ let _e6670 = global_1.member.member_8.member_7;
 let _e6672 = (((_e6551 + (((_e6602 + (((_e6642 + ((f32(bitcast<i32>(((_e6635 >> bitcast<u32>((_e6643 & 31u))) & 255u))) - _e6642) * _e6650)) - _e6602) * _e6654)) - _e6551) * _e6659)) - _e6666) * _e6670);
 let _e6673 = -(1e9f);
 let _e6675 = select(_e6673, _e6672, (_e6672 > _e6673));
-phi_20378_ = select(1e9f, _e6675, (_e6675 < 1e9f));
-phi_20379_ = vec3<f32>(0f, 0f, 0f);
+phi_20385_ = select(1e9f, _e6675, (_e6675 < 1e9f));
+phi_20386_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e7785 = phi_20378_;
-let _e7787 = phi_20379_;
-phi_20381_ = type_37(_e7785, vec3<f32>(0f, 0f, 0f), _e7787, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+let _e7785 = phi_20385_;
+let _e7787 = phi_20386_;
+phi_20388_ = type_37(_e7785, vec3<f32>(0f, 0f, 0f), _e7787, 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e9655 = phi_20381_;
+let _e9655 = phi_20388_;
 if _e4220 {
-phi_20906_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_20913_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e9659 = global_1.member.member_16.member;
 let _e9670 = ((((_e9659.member.member * _e5355.member.x) + (_e9659.member.member_1 * _e5355.member.y)) + (_e9659.member.member_2 * _e5355.member.z)) + _e9659.member_1);
@@ -3400,9 +3400,9 @@ let _e9877 = global_1.member.member_19.member_1;
 let _e9878 = (_e9877 != 0u);
 let _e9883 = select(0f, _e9871, _e9878);
 let _e9884 = select(1f, _e9873, _e9878);
-phi_20906_ = type_38(type_35(select(_e9871, _e9821, (_e9821 > _e9871)), select(_e9873, _e9823, (_e9823 < _e9873))), type_35(select(_e9883, _e9827, (_e9827 > _e9883)), select(_e9884, _e9829, (_e9829 < _e9884))), ((((1f * select(1f, 0f, (_e9701 && _e9692))) * select(1f, 0f, (_e9760 && _e9751))) * select(1f, 0f, (_e9819 && _e9810))) * select(1f, 0f, (_e9878 && _e9869))));
+phi_20913_ = type_38(type_35(select(_e9871, _e9821, (_e9821 > _e9871)), select(_e9873, _e9823, (_e9823 < _e9873))), type_35(select(_e9883, _e9827, (_e9827 > _e9883)), select(_e9884, _e9829, (_e9829 < _e9884))), ((((1f * select(1f, 0f, (_e9701 && _e9692))) * select(1f, 0f, (_e9760 && _e9751))) * select(1f, 0f, (_e9819 && _e9810))) * select(1f, 0f, (_e9878 && _e9869))));
 }
-let _e9896 = phi_20906_;
+let _e9896 = phi_20913_;
 let _e9899 = (select(0f, (_e6118 - 0.5f), _e6110) * _e5450);
 let _e9903 = (_e5455 + (_e5374 * _e9899));
 let _e9904 = (_e5456 + (_e5376 * _e9899));
@@ -3416,7 +3416,7 @@ let _e9917 = select(_e5548, _e9915, (_e9915 < _e5548));
 let _e9922 = global_1.member.member_8.member_15;
 let _e9923 = (_e9922 == 0u);
 if _e9923 {
-phi_21102_ = vec3<f32>(_e9909, _e9913, _e9917);
+phi_21109_ = vec3<f32>(_e9909, _e9913, _e9917);
 } else {
 let _e9924 = (_e9909 + 0.5f);
 let _e9925 = (_e5418 - 1f);
@@ -3433,9 +3433,9 @@ let _e9961 = (_e5428 - 1f);
 let _e9963 = select(0f, _e9960, (_e9960 > 0f));
 let _e9965 = select(_e9961, _e9963, (_e9963 < _e9961));
 let _e9972 = select(0i, select(select(i32(_e9965), i32(-2147483648), (_e9965 < -2147483600f)), 2147483647i, (_e9965 > 2147483500f)), (_e9965 == _e9965));
-phi_21102_ = vec3<f32>(f32((_e9936 - select(0i, 1i, (_e9929 < f32(_e9936))))), f32((_e9954 - select(0i, 1i, (_e9947 < f32(_e9954))))), f32((_e9972 - select(0i, 1i, (_e9965 < f32(_e9972))))));
+phi_21109_ = vec3<f32>(f32((_e9936 - select(0i, 1i, (_e9929 < f32(_e9936))))), f32((_e9954 - select(0i, 1i, (_e9947 < f32(_e9954))))), f32((_e9972 - select(0i, 1i, (_e9965 < f32(_e9972))))));
 }
-let _e9980 = phi_21102_;
+let _e9980 = phi_21109_;
 let _e9983 = select(-1f, _e9980.x, (_e9980.x > -1f));
 let _e9985 = select(_e5418, _e9983, (_e9983 < _e5418));
 let _e9992 = select(0i, select(select(i32(_e9985), i32(-2147483648), (_e9985 < -2147483600f)), 2147483647i, (_e9985 > 2147483500f)), (_e9985 == _e9985));
@@ -3616,7 +3616,7 @@ let _e10567 = (_e10532 == 0f);
 let _e10584 = (_e5451 * _e9896.member_2);
 let _e10601 = (_e9922 != 0u);
 let _e10602 = select(select(_e9655.member, _e5355.member_2, _e5368), _e9655.member, _e10601);
-let _e10603 = select(1f, select(_e6157, _e6186, _e6190), _e6231);
+let _e10603 = select(1f, select(_e6157, _e6186, _e6190), _e6232);
 let _e10604 = (_e6238 - _e5472);
 let _e10608 = (bitcast<f32>((bitcast<u32>(_e10604) & 2147483647u)) < 1e-12f);
 let _e10610 = (1f / select(_e10604, 1f, _e10608));
@@ -4047,19 +4047,19 @@ let _e12236 = (((1f - _e12224) + (_e12170 * select(0f, _e12226, (_e12226 > 0f)))
 let _e12246 = (_e12171 > 0f);
 let _e12248 = (1f - _e12233);
 let _e12257 = (_e12232 / select(1e-12f, _e12248, (_e12248 > 1e-12f)));
-phi_25909_ = type_43(select(_e11948, _e12233, _e12246), select(_e11949, _e12248, _e12246), _e11898, vec3<f32>(select(_e11957, ((_e11957 * _e12236) + (_e12131 * _e12232)), _e12246), select(_e11959, ((_e11959 * _e12236) + (_e12141 * _e12232)), _e12246), select(_e11961, ((_e11961 * _e12236) + (_e12151 * _e12232)), _e12246)));
-phi_25910_ = type_41(_e12170, _e12171, vec3<f32>(_e12131, _e12141, _e12151), _e12173);
-phi_25911_ = select(0f, select(1f, _e12257, (_e12257 < 1f)), _e12246);
+phi_25916_ = type_43(select(_e11948, _e12233, _e12246), select(_e11949, _e12248, _e12246), _e11898, vec3<f32>(select(_e11957, ((_e11957 * _e12236) + (_e12131 * _e12232)), _e12246), select(_e11959, ((_e11959 * _e12236) + (_e12141 * _e12232)), _e12246), select(_e11961, ((_e11961 * _e12236) + (_e12151 * _e12232)), _e12246)));
+phi_25917_ = type_41(_e12170, _e12171, vec3<f32>(_e12131, _e12141, _e12151), _e12173);
+phi_25918_ = select(0f, select(1f, _e12257, (_e12257 < 1f)), _e12246);
 } else {
-phi_25909_ = type_43(_e11948, _e11949, _e11898, (_e11955 * _e11953));
-phi_25910_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
-phi_25911_ = 0f;
+phi_25916_ = type_43(_e11948, _e11949, _e11898, (_e11955 * _e11953));
+phi_25917_ = type_41(1f, 0f, vec3<f32>(0f, 0f, 0f), 0.5f);
+phi_25918_ = 0f;
 }
-let _e12262 = phi_25909_;
-let _e12264 = phi_25910_;
-let _e12266 = phi_25911_;
+let _e12262 = phi_25916_;
+let _e12264 = phi_25917_;
+let _e12266 = phi_25918_;
 if (_e625 || _e628) {
-phi_41895_ = _e5353;
+phi_41908_ = _e5353;
 } else {
 let _e12269 = select(_e10691, _e9896.member.member, (_e9896.member.member > _e10691));
 let _e12277 = (_e5355.member + vec3<f32>((_e10696 * _e10603), (_e10697 * _e10603), (_e10698 * _e10603)));
@@ -4108,23 +4108,23 @@ let _e12452 = local_61.member;
 let _e12455 = (((2f * _e12452) * _e12451) * _e10715);
 let _e12459 = (_e12264.member_1 > 0f);
 let _e12460 = select(select(select(1f, _e12455, (_e12455 < 1f)), 0f, _e10601), 1f, _e12459);
-let _e12461 = (_e12451 * _e12460);
-let _e12462 = global_1.member.member_12.member_19;
-let _e12466 = (((((_e12386.member.member * _e12378) + (_e12386.member.member_1 * _e12379)) + (_e12386.member.member_2 * _e12380)) + _e12386.member_1) - _e12462.member);
-let _e12467 = (((((_e12401.member.member * _e12378) + (_e12401.member.member_1 * _e12379)) + (_e12401.member.member_2 * _e12380)) + _e12401.member_1) - _e12462.member_1);
-let _e12468 = (_e12427 - _e12462.member_2);
-let _e12473 = (((_e12466 * _e12466) + (_e12467 * _e12467)) + (_e12468 * _e12468));
-let _e12476 = sqrt(select(0f, _e12473, (_e12473 > 0f)));
-let _e12479 = (1f / select(1e-20f, _e12476, (_e12476 > 1e-20f)));
-let _e12483 = select(0f, (_e12466 * _e12479), _e12437);
-let _e12484 = select(0f, (_e12467 * _e12479), _e12437);
-let _e12485 = select(1f, (_e12468 * _e12479), _e12437);
-let _e12490 = global_1.member.member_12.member.member;
-let _e12501 = global_1.member.member_12.member_1.member;
-let _e12515 = global_1.member.member_12.member_2.member;
-let _e12528 = (_e12378 - ((((_e12490.member * _e12483) + (_e12501.member * _e12484)) + (_e12515.member * _e12485)) * _e12461));
-let _e12529 = (_e12379 - ((((_e12490.member_1 * _e12483) + (_e12501.member_1 * _e12484)) + (_e12515.member_1 * _e12485)) * _e12461));
-let _e12530 = (_e12380 - ((((_e12490.member_2 * _e12483) + (_e12501.member_2 * _e12484)) + (_e12515.member_2 * _e12485)) * _e12461));
+let _e12461 = global_1.member.member_12.member_19;
+let _e12465 = (((((_e12386.member.member * _e12378) + (_e12386.member.member_1 * _e12379)) + (_e12386.member.member_2 * _e12380)) + _e12386.member_1) - _e12461.member);
+let _e12466 = (((((_e12401.member.member * _e12378) + (_e12401.member.member_1 * _e12379)) + (_e12401.member.member_2 * _e12380)) + _e12401.member_1) - _e12461.member_1);
+let _e12467 = (_e12427 - _e12461.member_2);
+let _e12472 = (((_e12465 * _e12465) + (_e12466 * _e12466)) + (_e12467 * _e12467));
+let _e12475 = sqrt(select(0f, _e12472, (_e12472 > 0f)));
+let _e12478 = (1f / select(1e-20f, _e12475, (_e12475 > 1e-20f)));
+let _e12482 = select(0f, (_e12465 * _e12478), _e12437);
+let _e12483 = select(0f, (_e12466 * _e12478), _e12437);
+let _e12484 = select(1f, (_e12467 * _e12478), _e12437);
+let _e12489 = global_1.member.member_12.member.member;
+let _e12500 = global_1.member.member_12.member_1.member;
+let _e12514 = global_1.member.member_12.member_2.member;
+let _e12524 = (_e12451 * _e12460);
+let _e12528 = (_e12378 - ((((_e12489.member * _e12482) + (_e12500.member * _e12483)) + (_e12514.member * _e12484)) * _e12524));
+let _e12529 = (_e12379 - ((((_e12489.member_1 * _e12482) + (_e12500.member_1 * _e12483)) + (_e12514.member_1 * _e12484)) * _e12524));
+let _e12530 = (_e12380 - ((((_e12489.member_2 * _e12482) + (_e12500.member_2 * _e12483)) + (_e12514.member_2 * _e12484)) * _e12524));
 let _e12536 = ((((_e580.member.member * _e12528) + (_e580.member.member_1 * _e12529)) + (_e580.member.member_2 * _e12530)) + _e580.member_1);
 let _e12542 = ((((_e595.member.member * _e12528) + (_e595.member.member_1 * _e12529)) + (_e595.member.member_2 * _e12530)) + _e595.member_1);
 let _e12548 = ((((_e610.member.member * _e12528) + (_e610.member.member_1 * _e12529)) + (_e610.member.member_2 * _e12530)) + _e610.member_1);
@@ -4135,7 +4135,7 @@ let _e12556 = select(_e5543, _e12554, (_e12554 < _e5543));
 let _e12558 = select(_e5533, _e12548, (_e12548 > _e5533));
 let _e12560 = select(_e5548, _e12558, (_e12558 < _e5548));
 if _e9923 {
-phi_26499_ = vec3<f32>(_e12552, _e12556, _e12560);
+phi_26512_ = vec3<f32>(_e12552, _e12556, _e12560);
 } else {
 let _e12562 = (_e12552 + 0.5f);
 let _e12563 = (_e5418 - 1f);
@@ -4152,9 +4152,9 @@ let _e12599 = (_e5428 - 1f);
 let _e12601 = select(0f, _e12598, (_e12598 > 0f));
 let _e12603 = select(_e12599, _e12601, (_e12601 < _e12599));
 let _e12610 = select(0i, select(select(i32(_e12603), i32(-2147483648), (_e12603 < -2147483600f)), 2147483647i, (_e12603 > 2147483500f)), (_e12603 == _e12603));
-phi_26499_ = vec3<f32>(f32((_e12574 - select(0i, 1i, (_e12567 < f32(_e12574))))), f32((_e12592 - select(0i, 1i, (_e12585 < f32(_e12592))))), f32((_e12610 - select(0i, 1i, (_e12603 < f32(_e12610))))));
+phi_26512_ = vec3<f32>(f32((_e12574 - select(0i, 1i, (_e12567 < f32(_e12574))))), f32((_e12592 - select(0i, 1i, (_e12585 < f32(_e12592))))), f32((_e12610 - select(0i, 1i, (_e12603 < f32(_e12610))))));
 }
-let _e12618 = phi_26499_;
+let _e12618 = phi_26512_;
 let _e12621 = select(-1f, _e12618.x, (_e12618.x > -1f));
 let _e12623 = select(_e5418, _e12621, (_e12621 < _e5418));
 let _e12630 = select(0i, select(select(i32(_e12623), i32(-2147483648), (_e12623 < -2147483600f)), 2147483647i, (_e12623 > 2147483500f)), (_e12623 == _e12623));
@@ -4247,9 +4247,9 @@ let _e12926 = local_13[2u];
 let _e12931 = (((_e12818 + (((_e12869 + (((_e12909 + ((f32(bitcast<i32>(((_e12902 >> bitcast<u32>((_e12910 & 31u))) & 255u))) - _e12909) * _e12917)) - _e12869) * _e12921)) - _e12818) * _e12926)) - _e10320) * _e10324);
 let _e12933 = select(_e10327, _e12931, (_e12931 > _e10327));
 let _e12935 = select(1e9f, _e12933, (_e12933 < 1e9f));
-let _e12936 = (_e12461 * _e10715);
+let _e12936 = (_e12524 * _e10715);
 if _e4220 {
-phi_27484_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_27497_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e12940 = global_1.member.member_16.member;
 let _e12951 = ((((_e12940.member.member * _e12528) + (_e12940.member.member_1 * _e12529)) + (_e12940.member.member_2 * _e12530)) + _e12940.member_1);
@@ -4323,9 +4323,9 @@ let _e13158 = global_1.member.member_19.member_1;
 let _e13159 = (_e13158 != 0u);
 let _e13164 = select(0f, _e13152, _e13159);
 let _e13165 = select(1f, _e13154, _e13159);
-phi_27484_ = type_38(type_35(select(_e13152, _e13102, (_e13102 > _e13152)), select(_e13154, _e13104, (_e13104 < _e13154))), type_35(select(_e13164, _e13108, (_e13108 > _e13164)), select(_e13165, _e13110, (_e13110 < _e13165))), ((((1f * select(1f, 0f, (_e12982 && _e12973))) * select(1f, 0f, (_e13041 && _e13032))) * select(1f, 0f, (_e13100 && _e13091))) * select(1f, 0f, (_e13159 && _e13150))));
+phi_27497_ = type_38(type_35(select(_e13152, _e13102, (_e13102 > _e13152)), select(_e13154, _e13104, (_e13104 < _e13154))), type_35(select(_e13164, _e13108, (_e13108 > _e13164)), select(_e13165, _e13110, (_e13110 < _e13165))), ((((1f * select(1f, 0f, (_e12982 && _e12973))) * select(1f, 0f, (_e13041 && _e13032))) * select(1f, 0f, (_e13100 && _e13091))) * select(1f, 0f, (_e13159 && _e13150))));
 }
-let _e13177 = phi_27484_;
+let _e13177 = phi_27497_;
 let _e13183 = ((((_e580.member.member * _e12378) + (_e580.member.member_1 * _e12379)) + (_e580.member.member_2 * _e12380)) + _e580.member_1);
 let _e13189 = ((((_e595.member.member * _e12378) + (_e595.member.member_1 * _e12379)) + (_e595.member.member_2 * _e12380)) + _e595.member_1);
 let _e13195 = ((((_e610.member.member * _e12378) + (_e610.member.member_1 * _e12379)) + (_e610.member.member_2 * _e12380)) + _e610.member_1);
@@ -4458,7 +4458,7 @@ let _e14022 = global_3.member[bitcast<u32>(select(0i, _e14017, (_e14017 > 0i)))]
 let _e14032 = (_e13984 + (((bitcast<f32>((((_e13992 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13984) * _e13967));
 let _e14040 = global_3.member[_e11375];
 let _e14049 = global_3.member[_e11395];
-phi_31159_ = type_42((((_e14032 + (((_e14014 + (((bitcast<f32>((((_e14022 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14014) * _e13967)) - _e14032) * (_e13842 - f32(_e13920)))) * (1f - (_e13954 + _e13960))) + (((bitcast<f32>((((_e14040 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954) + ((bitcast<f32>((((_e14049 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13960))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_31172_ = type_42((((_e14032 + (((_e14014 + (((bitcast<f32>((((_e14022 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e14014) * _e13967)) - _e14032) * (_e13842 - f32(_e13920)))) * (1f - (_e13954 + _e13960))) + (((bitcast<f32>((((_e14040 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13954) + ((bitcast<f32>((((_e14049 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13960))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_9 = _e12935;
 let _e13317 = local_9;
@@ -4571,9 +4571,9 @@ let _e13724 = (_e13654 + (((bitcast<f32>(((_e13669 & 32767u) << bitcast<u32>(13i
 let _e13733 = (_e13661 + (((bitcast<f32>((((_e13669 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13661) * _e13504));
 let _e13741 = global_3.member[_e11375];
 let _e13755 = global_3.member[_e11395];
-phi_31159_ = type_42((((_e13733 + (((_e13701 + (((bitcast<f32>((((_e13709 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13701) * _e13504)) - _e13733) * _e13502)) * _e13506) + (((bitcast<f32>((((_e13741 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>((((_e13755 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497))), vec3<f32>((((_e13724 + (((_e13694 + (((bitcast<f32>(((_e13709 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13694) * _e13504)) - _e13724) * _e13502)) * _e13506) + (((bitcast<f32>(((_e13741 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>(((_e13755 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497))), (((_e13588 + (((_e13558 + (((bitcast<f32>(((_e13573 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13558) * _e13504)) - _e13588) * _e13502)) * _e13506) + (((bitcast<f32>(((_e13605 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>(((_e13619 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497))), (((_e13597 + (((_e13565 + (((bitcast<f32>((((_e13573 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13565) * _e13504)) - _e13597) * _e13502)) * _e13506) + (((bitcast<f32>((((_e13605 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>((((_e13619 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_31172_ = type_42((((_e13733 + (((_e13701 + (((bitcast<f32>((((_e13709 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13701) * _e13504)) - _e13733) * _e13502)) * _e13506) + (((bitcast<f32>((((_e13741 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>((((_e13755 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497))), vec3<f32>((((_e13724 + (((_e13694 + (((bitcast<f32>(((_e13709 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13694) * _e13504)) - _e13724) * _e13502)) * _e13506) + (((bitcast<f32>(((_e13741 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>(((_e13755 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497))), (((_e13588 + (((_e13558 + (((bitcast<f32>(((_e13573 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13558) * _e13504)) - _e13588) * _e13502)) * _e13506) + (((bitcast<f32>(((_e13605 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>(((_e13619 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497))), (((_e13597 + (((_e13565 + (((bitcast<f32>((((_e13573 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e13565) * _e13504)) - _e13597) * _e13502)) * _e13506) + (((bitcast<f32>((((_e13605 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13491) + ((bitcast<f32>((((_e13619 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e13497)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e14064 = phi_31159_;
+let _e14064 = phi_31172_;
 if _e13316 {
 let _e14277 = -((_e14064.member * (_e12936 * _e13301)));
 let _e14279 = select(-87f, _e14277, (_e14277 > -87f));
@@ -4587,7 +4587,7 @@ let _e14299 = f32(_e14298);
 let _e14303 = ((_e14281 - (_e14299 * 0.6933594f)) - (_e14299 * -2.1219444e-4f));
 let _e14323 = ((1f + (_e14303 * (1f + (_e14303 * (0.5f + (_e14303 * (0.16666667f + (_e14303 * (0.041666668f + (_e14303 * (0.008333334f + (_e14303 * (0.001388889f + (_e14303 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14298 + 127i)) << bitcast<u32>(23i))));
 let _e14324 = (1f - _e14323);
-phi_31510_ = type_43(_e14323, _e14324, vec3<f32>(1f, 1f, 1f), (_e14064.member_2 * (_e14324 / select(1e-12f, _e14064.member, (_e14064.member > 1e-12f)))));
+phi_31523_ = type_43(_e14323, _e14324, vec3<f32>(1f, 1f, 1f), (_e14064.member_2 * (_e14324 / select(1e-12f, _e14064.member, (_e14064.member > 1e-12f)))));
 } else {
 let _e14066 = (_e12936 * select(0f, _e13310, (_e13310 > 0f)));
 let _e14070 = -((_e14064.member_1.x * _e14066));
@@ -4632,9 +4632,9 @@ let _e14242 = f32(_e14241);
 let _e14246 = ((_e14224 - (_e14242 * 0.6933594f)) - (_e14242 * -2.1219444e-4f));
 let _e14266 = ((1f + (_e14246 * (1f + (_e14246 * (0.5f + (_e14246 * (0.16666667f + (_e14246 * (0.041666668f + (_e14246 * (0.008333334f + (_e14246 * (0.001388889f + (_e14246 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14241 + 127i)) << bitcast<u32>(23i))));
 let _e14267 = (1f - _e14266);
-phi_31510_ = type_43(_e14266, _e14267, vec3<f32>(((1f + (_e14096 * (1f + (_e14096 * (0.5f + (_e14096 * (0.16666667f + (_e14096 * (0.041666668f + (_e14096 * (0.008333334f + (_e14096 * (0.001388889f + (_e14096 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14091 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14146 * (1f + (_e14146 * (0.5f + (_e14146 * (0.16666667f + (_e14146 * (0.041666668f + (_e14146 * (0.008333334f + (_e14146 * (0.001388889f + (_e14146 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14141 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14196 * (1f + (_e14196 * (0.5f + (_e14196 * (0.16666667f + (_e14196 * (0.041666668f + (_e14196 * (0.008333334f + (_e14196 * (0.001388889f + (_e14196 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14191 + 127i)) << bitcast<u32>(23i))))), (_e14064.member_2 * (_e14267 / select(1e-12f, _e14064.member, (_e14064.member > 1e-12f)))));
+phi_31523_ = type_43(_e14266, _e14267, vec3<f32>(((1f + (_e14096 * (1f + (_e14096 * (0.5f + (_e14096 * (0.16666667f + (_e14096 * (0.041666668f + (_e14096 * (0.008333334f + (_e14096 * (0.001388889f + (_e14096 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14091 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14146 * (1f + (_e14146 * (0.5f + (_e14146 * (0.16666667f + (_e14146 * (0.041666668f + (_e14146 * (0.008333334f + (_e14146 * (0.001388889f + (_e14146 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14141 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e14196 * (1f + (_e14196 * (0.5f + (_e14196 * (0.16666667f + (_e14196 * (0.041666668f + (_e14196 * (0.008333334f + (_e14196 * (0.001388889f + (_e14196 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e14191 + 127i)) << bitcast<u32>(23i))))), (_e14064.member_2 * (_e14267 / select(1e-12f, _e14064.member, (_e14064.member > 1e-12f)))));
 }
-let _e14332 = phi_31510_;
+let _e14332 = phi_31523_;
 let _e14341 = (_e12528 - (_e12378 - _e12528));
 let _e14342 = (_e12529 - (_e12379 - _e12529));
 let _e14343 = (_e12530 - (_e12380 - _e12530));
@@ -4648,7 +4648,7 @@ let _e14369 = select(_e5543, _e14367, (_e14367 < _e5543));
 let _e14371 = select(_e5533, _e14361, (_e14361 > _e5533));
 let _e14373 = select(_e5548, _e14371, (_e14371 < _e5548));
 if _e9923 {
-phi_31715_ = vec3<f32>(_e14365, _e14369, _e14373);
+phi_31728_ = vec3<f32>(_e14365, _e14369, _e14373);
 } else {
 let _e14375 = (_e14365 + 0.5f);
 let _e14376 = (_e5418 - 1f);
@@ -4665,9 +4665,9 @@ let _e14412 = (_e5428 - 1f);
 let _e14414 = select(0f, _e14411, (_e14411 > 0f));
 let _e14416 = select(_e14412, _e14414, (_e14414 < _e14412));
 let _e14423 = select(0i, select(select(i32(_e14416), i32(-2147483648), (_e14416 < -2147483600f)), 2147483647i, (_e14416 > 2147483500f)), (_e14416 == _e14416));
-phi_31715_ = vec3<f32>(f32((_e14387 - select(0i, 1i, (_e14380 < f32(_e14387))))), f32((_e14405 - select(0i, 1i, (_e14398 < f32(_e14405))))), f32((_e14423 - select(0i, 1i, (_e14416 < f32(_e14423))))));
+phi_31728_ = vec3<f32>(f32((_e14387 - select(0i, 1i, (_e14380 < f32(_e14387))))), f32((_e14405 - select(0i, 1i, (_e14398 < f32(_e14405))))), f32((_e14423 - select(0i, 1i, (_e14416 < f32(_e14423))))));
 }
-let _e14431 = phi_31715_;
+let _e14431 = phi_31728_;
 let _e14434 = select(-1f, _e14431.x, (_e14431.x > -1f));
 let _e14436 = select(_e5418, _e14434, (_e14434 < _e5418));
 let _e14443 = select(0i, select(select(i32(_e14436), i32(-2147483648), (_e14436 < -2147483600f)), 2147483647i, (_e14436 > 2147483500f)), (_e14436 == _e14436));
@@ -4761,7 +4761,7 @@ let _e14744 = (((_e14631 + (((_e14682 + (((_e14722 + ((f32(bitcast<i32>(((_e1471
 let _e14746 = select(_e10327, _e14744, (_e14744 > _e10327));
 let _e14748 = select(1e9f, _e14746, (_e14746 < 1e9f));
 if _e4220 {
-phi_32700_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_32713_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e14752 = global_1.member.member_16.member;
 let _e14763 = ((((_e14752.member.member * _e14341) + (_e14752.member.member_1 * _e14342)) + (_e14752.member.member_2 * _e14343)) + _e14752.member_1);
@@ -4835,9 +4835,9 @@ let _e14970 = global_1.member.member_19.member_1;
 let _e14971 = (_e14970 != 0u);
 let _e14976 = select(0f, _e14964, _e14971);
 let _e14977 = select(1f, _e14966, _e14971);
-phi_32700_ = type_38(type_35(select(_e14964, _e14914, (_e14914 > _e14964)), select(_e14966, _e14916, (_e14916 < _e14966))), type_35(select(_e14976, _e14920, (_e14920 > _e14976)), select(_e14977, _e14922, (_e14922 < _e14977))), ((((1f * select(1f, 0f, (_e14794 && _e14785))) * select(1f, 0f, (_e14853 && _e14844))) * select(1f, 0f, (_e14912 && _e14903))) * select(1f, 0f, (_e14971 && _e14962))));
+phi_32713_ = type_38(type_35(select(_e14964, _e14914, (_e14914 > _e14964)), select(_e14966, _e14916, (_e14916 < _e14966))), type_35(select(_e14976, _e14920, (_e14920 > _e14976)), select(_e14977, _e14922, (_e14922 < _e14977))), ((((1f * select(1f, 0f, (_e14794 && _e14785))) * select(1f, 0f, (_e14853 && _e14844))) * select(1f, 0f, (_e14912 && _e14903))) * select(1f, 0f, (_e14971 && _e14962))));
 }
-let _e14989 = phi_32700_;
+let _e14989 = phi_32713_;
 let _e14990 = (_e12536 - _e14349);
 let _e14994 = (bitcast<f32>((bitcast<u32>(_e14990) & 2147483647u)) < 1e-12f);
 let _e14996 = (1f / select(_e14990, 1f, _e14994));
@@ -4966,7 +4966,7 @@ let _e15812 = global_3.member[bitcast<u32>(select(0i, _e15807, (_e15807 > 0i)))]
 let _e15822 = (_e15774 + (((bitcast<f32>((((_e15782 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15774) * _e15757));
 let _e15830 = global_3.member[_e11375];
 let _e15839 = global_3.member[_e11395];
-phi_36375_ = type_42((((_e15822 + (((_e15804 + (((bitcast<f32>((((_e15812 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15804) * _e15757)) - _e15822) * (_e15632 - f32(_e15710)))) * (1f - (_e15744 + _e15750))) + (((bitcast<f32>((((_e15830 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15744) + ((bitcast<f32>((((_e15839 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15750))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
+phi_36388_ = type_42((((_e15822 + (((_e15804 + (((bitcast<f32>((((_e15812 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15804) * _e15757)) - _e15822) * (_e15632 - f32(_e15710)))) * (1f - (_e15744 + _e15750))) + (((bitcast<f32>((((_e15830 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15744) + ((bitcast<f32>((((_e15839 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15750))), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), 0f);
 } else {
 local_3 = _e14748;
 let _e15107 = local_3;
@@ -5079,9 +5079,9 @@ let _e15514 = (_e15444 + (((bitcast<f32>(((_e15459 & 32767u) << bitcast<u32>(13i
 let _e15523 = (_e15451 + (((bitcast<f32>((((_e15459 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15451) * _e15294));
 let _e15531 = global_3.member[_e11375];
 let _e15545 = global_3.member[_e11395];
-phi_36375_ = type_42((((_e15523 + (((_e15491 + (((bitcast<f32>((((_e15499 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15491) * _e15294)) - _e15523) * _e15292)) * _e15296) + (((bitcast<f32>((((_e15531 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>((((_e15545 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287))), vec3<f32>((((_e15514 + (((_e15484 + (((bitcast<f32>(((_e15499 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15484) * _e15294)) - _e15514) * _e15292)) * _e15296) + (((bitcast<f32>(((_e15531 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>(((_e15545 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287))), (((_e15378 + (((_e15348 + (((bitcast<f32>(((_e15363 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15348) * _e15294)) - _e15378) * _e15292)) * _e15296) + (((bitcast<f32>(((_e15395 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>(((_e15409 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287))), (((_e15387 + (((_e15355 + (((bitcast<f32>((((_e15363 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15355) * _e15294)) - _e15387) * _e15292)) * _e15296) + (((bitcast<f32>((((_e15395 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>((((_e15409 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287)))), vec3<f32>(0f, 0f, 0f), 0f);
+phi_36388_ = type_42((((_e15523 + (((_e15491 + (((bitcast<f32>((((_e15499 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15491) * _e15294)) - _e15523) * _e15292)) * _e15296) + (((bitcast<f32>((((_e15531 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>((((_e15545 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287))), vec3<f32>((((_e15514 + (((_e15484 + (((bitcast<f32>(((_e15499 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15484) * _e15294)) - _e15514) * _e15292)) * _e15296) + (((bitcast<f32>(((_e15531 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>(((_e15545 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287))), (((_e15378 + (((_e15348 + (((bitcast<f32>(((_e15363 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15348) * _e15294)) - _e15378) * _e15292)) * _e15296) + (((bitcast<f32>(((_e15395 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>(((_e15409 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287))), (((_e15387 + (((_e15355 + (((bitcast<f32>((((_e15363 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e15355) * _e15294)) - _e15387) * _e15292)) * _e15296) + (((bitcast<f32>((((_e15395 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15281) + ((bitcast<f32>((((_e15409 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e15287)))), vec3<f32>(0f, 0f, 0f), 0f);
 }
-let _e15854 = phi_36375_;
+let _e15854 = phi_36388_;
 if _e13316 {
 let _e16067 = -((_e15854.member * (_e12936 * _e15095)));
 let _e16069 = select(-87f, _e16067, (_e16067 > -87f));
@@ -5095,7 +5095,7 @@ let _e16089 = f32(_e16088);
 let _e16093 = ((_e16071 - (_e16089 * 0.6933594f)) - (_e16089 * -2.1219444e-4f));
 let _e16113 = ((1f + (_e16093 * (1f + (_e16093 * (0.5f + (_e16093 * (0.16666667f + (_e16093 * (0.041666668f + (_e16093 * (0.008333334f + (_e16093 * (0.001388889f + (_e16093 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16088 + 127i)) << bitcast<u32>(23i))));
 let _e16114 = (1f - _e16113);
-phi_36726_ = type_43(_e16113, _e16114, vec3<f32>(1f, 1f, 1f), (_e15854.member_2 * (_e16114 / select(1e-12f, _e15854.member, (_e15854.member > 1e-12f)))));
+phi_36739_ = type_43(_e16113, _e16114, vec3<f32>(1f, 1f, 1f), (_e15854.member_2 * (_e16114 / select(1e-12f, _e15854.member, (_e15854.member > 1e-12f)))));
 } else {
 let _e15856 = (_e12936 * select(0f, _e15104, (_e15104 > 0f)));
 let _e15860 = -((_e15854.member_1.x * _e15856));
@@ -5140,20 +5140,20 @@ let _e16032 = f32(_e16031);
 let _e16036 = ((_e16014 - (_e16032 * 0.6933594f)) - (_e16032 * -2.1219444e-4f));
 let _e16056 = ((1f + (_e16036 * (1f + (_e16036 * (0.5f + (_e16036 * (0.16666667f + (_e16036 * (0.041666668f + (_e16036 * (0.008333334f + (_e16036 * (0.001388889f + (_e16036 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e16031 + 127i)) << bitcast<u32>(23i))));
 let _e16057 = (1f - _e16056);
-phi_36726_ = type_43(_e16056, _e16057, vec3<f32>(((1f + (_e15886 * (1f + (_e15886 * (0.5f + (_e15886 * (0.16666667f + (_e15886 * (0.041666668f + (_e15886 * (0.008333334f + (_e15886 * (0.001388889f + (_e15886 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15881 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e15936 * (1f + (_e15936 * (0.5f + (_e15936 * (0.16666667f + (_e15936 * (0.041666668f + (_e15936 * (0.008333334f + (_e15936 * (0.001388889f + (_e15936 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15931 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e15986 * (1f + (_e15986 * (0.5f + (_e15986 * (0.16666667f + (_e15986 * (0.041666668f + (_e15986 * (0.008333334f + (_e15986 * (0.001388889f + (_e15986 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15981 + 127i)) << bitcast<u32>(23i))))), (_e15854.member_2 * (_e16057 / select(1e-12f, _e15854.member, (_e15854.member > 1e-12f)))));
+phi_36739_ = type_43(_e16056, _e16057, vec3<f32>(((1f + (_e15886 * (1f + (_e15886 * (0.5f + (_e15886 * (0.16666667f + (_e15886 * (0.041666668f + (_e15886 * (0.008333334f + (_e15886 * (0.001388889f + (_e15886 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15881 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e15936 * (1f + (_e15936 * (0.5f + (_e15936 * (0.16666667f + (_e15936 * (0.041666668f + (_e15936 * (0.008333334f + (_e15936 * (0.001388889f + (_e15936 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15931 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e15986 * (1f + (_e15986 * (0.5f + (_e15986 * (0.16666667f + (_e15986 * (0.041666668f + (_e15986 * (0.008333334f + (_e15986 * (0.001388889f + (_e15986 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e15981 + 127i)) << bitcast<u32>(23i))))), (_e15854.member_2 * (_e16057 / select(1e-12f, _e15854.member, (_e15854.member > 1e-12f)))));
 }
-let _e16122 = phi_36726_;
+let _e16122 = phi_36739_;
 let _e16128 = (_e14332.member * _e16122.member);
 let _e16142 = (((_e12370 * _e12370) + (_e12372 * _e12372)) + (_e12374 * _e12374));
 let _e16145 = sqrt(select(0f, _e16142, (_e16142 > 0f)));
 let _e16147 = select(1e-20f, _e16145, (_e16145 > 1e-20f));
 let _e16148 = (_e11084 / _e16147);
-let _e16152 = ((_e12382 - _e12935) / select(1e-20f, _e12461, (_e12461 > 1e-20f)));
+let _e16152 = ((_e12382 - _e12935) / select(1e-20f, _e12524, (_e12524 > 1e-20f)));
 let _e16162 = (_e5355.member.x + (_e12528 - _e12378));
 let _e16163 = (_e5355.member.y + (_e12529 - _e12379));
 let _e16164 = (_e5355.member.z + (_e12530 - _e12380));
 if _e4220 {
-phi_37340_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
+phi_37353_ = type_38(type_35(0f, 1f), type_35(0f, 1f), 1f);
 } else {
 let _e16168 = global_1.member.member_16.member;
 let _e16179 = ((((_e16168.member.member * _e16162) + (_e16168.member.member_1 * _e16163)) + (_e16168.member.member_2 * _e16164)) + _e16168.member_1);
@@ -5227,9 +5227,9 @@ let _e16386 = global_1.member.member_19.member_1;
 let _e16387 = (_e16386 != 0u);
 let _e16392 = select(0f, _e16380, _e16387);
 let _e16393 = select(1f, _e16382, _e16387);
-phi_37340_ = type_38(type_35(select(_e16380, _e16330, (_e16330 > _e16380)), select(_e16382, _e16332, (_e16332 < _e16382))), type_35(select(_e16392, _e16336, (_e16336 > _e16392)), select(_e16393, _e16338, (_e16338 < _e16393))), ((((1f * select(1f, 0f, (_e16210 && _e16201))) * select(1f, 0f, (_e16269 && _e16260))) * select(1f, 0f, (_e16328 && _e16319))) * select(1f, 0f, (_e16387 && _e16378))));
+phi_37353_ = type_38(type_35(select(_e16380, _e16330, (_e16330 > _e16380)), select(_e16382, _e16332, (_e16332 < _e16382))), type_35(select(_e16392, _e16336, (_e16336 > _e16392)), select(_e16393, _e16338, (_e16338 < _e16393))), ((((1f * select(1f, 0f, (_e16210 && _e16201))) * select(1f, 0f, (_e16269 && _e16260))) * select(1f, 0f, (_e16328 && _e16319))) * select(1f, 0f, (_e16387 && _e16378))));
 }
-let _e16405 = phi_37340_;
+let _e16405 = phi_37353_;
 let _e16411 = ((((_e580.member.member * _e16162) + (_e580.member.member_1 * _e16163)) + (_e580.member.member_2 * _e16164)) + _e580.member_1);
 let _e16417 = ((((_e595.member.member * _e16162) + (_e595.member.member_1 * _e16163)) + (_e595.member.member_2 * _e16164)) + _e595.member_1);
 let _e16423 = ((((_e610.member.member * _e16162) + (_e610.member.member_1 * _e16163)) + (_e610.member.member_2 * _e16164)) + _e610.member_1);
@@ -5336,11 +5336,11 @@ let _e16771 = global_1.member.member_12.member_14.member_1;
 let _e16772 = bitcast<i32>(_e16771);
 let _e16777 = global_1.member.member_12.member_14.member_2;
 if ((((((_e16758 >= 0i) && (_e16758 < _e16766)) && (_e16760 >= 0i)) && (_e16760 < _e16772)) && (_e16756 >= 0i)) && (_e16756 < bitcast<i32>(_e16777))) {
-phi_38047_ = (((((_e16756 * _e16772) + _e16760) * _e16766) + _e16758) * 3i);
+phi_38060_ = (((((_e16756 * _e16772) + _e16760) * _e16766) + _e16758) * 3i);
 } else {
-phi_38047_ = -1i;
+phi_38060_ = -1i;
 }
-let _e16796 = phi_38047_;
+let _e16796 = phi_38060_;
 let _e16797 = (_e16796 + 1i);
 let _e16799 = (bitcast<i32>(_e271) - 1i);
 let _e16801 = select(_e16799, _e16797, (_e16797 < _e16799));
@@ -5389,7 +5389,7 @@ let _e16918 = select(_e16799, _e16916, (_e16916 < _e16799));
 let _e16923 = global_4.member[bitcast<u32>(select(0i, _e16918, (_e16918 > 0i)))];
 let _e16934 = select(1f, (_e16885 + (((_e16906 + (((_e16915 + ((bitcast<f32>(_e16923) - _e16915) * _e16836)) - _e16906) * _e16838)) - _e16885) * _e16840)), _e16841);
 if _e13316 {
-phi_38624_ = vec3(_e16934);
+phi_38637_ = vec3(_e16934);
 } else {
 let _e16939 = global_1.member.member_12.member_12;
 let _e16940 = (_e16939 > 1u);
@@ -5455,12 +5455,12 @@ let _e17113 = bitcast<f32>(_e17112);
 let _e17114 = (_e17084 + 10i);
 let _e17116 = select(_e16799, _e17114, (_e17114 < _e16799));
 let _e17121 = global_4.member[bitcast<u32>(select(0i, _e17116, (_e17116 > 0i)))];
-phi_38624_ = vec3<f32>(_e16934, select(1f, (_e16988 + (((_e17009 + (((_e17018 + ((bitcast<f32>(_e17026) - _e17018) * _e16836)) - _e17009) * _e16838)) - _e16988) * _e16840)), _e16841), select(1f, (_e17083 + (((_e17104 + (((_e17113 + ((bitcast<f32>(_e17121) - _e17113) * _e16836)) - _e17104) * _e16838)) - _e17083) * _e16840)), _e16841));
+phi_38637_ = vec3<f32>(_e16934, select(1f, (_e16988 + (((_e17009 + (((_e17018 + ((bitcast<f32>(_e17026) - _e17018) * _e16836)) - _e17009) * _e16838)) - _e16988) * _e16840)), _e16841), select(1f, (_e17083 + (((_e17104 + (((_e17113 + ((bitcast<f32>(_e17121) - _e17113) * _e16836)) - _e17104) * _e16838)) - _e17083) * _e16840)), _e16841));
 }
-let _e17135 = phi_38624_;
-let _e17136 = (_e16659 - _e12462.member);
-let _e17137 = (_e16665 - _e12462.member_1);
-let _e17138 = (_e16671 - _e12462.member_2);
+let _e17135 = phi_38637_;
+let _e17136 = (_e16659 - _e12461.member);
+let _e17137 = (_e16665 - _e12461.member_1);
+let _e17138 = (_e16671 - _e12461.member_2);
 let _e17143 = (((_e17136 * _e17136) + (_e17137 * _e17137)) + (_e17138 * _e17138));
 let _e17146 = sqrt(select(0f, _e17143, (_e17143 > 0f)));
 let _e17149 = (1f / select(1e-20f, _e17146, (_e17146 > 1e-20f)));
@@ -5525,13 +5525,13 @@ let _e17404 = (_e17153 + select(0f, ((_e17274 + (((_e17330 + (((_e17347 + ((f32(
 let _e17407 = (_e17154 + select(0f, ((_e17277 + (((_e17333 + (((_e17358 + ((select(_e17378, -(_e17378), ((_e17368 >> bitcast<u32>(31i)) != 0u)) - _e17358) * _e16836)) - _e17333) * _e16838)) - _e17277) * _e16840)) * 6.151953e-5f), _e16841));
 let _e17411 = (1f - ((_e17404 * _e17404) + (_e17407 * _e17407)));
 let _e17413 = select(1e-4f, _e17411, (_e17411 > 1e-4f));
-phi_39031_ = vec3<f32>(_e17404, _e17407, sqrt(select(0f, _e17413, (_e17413 > 0f))));
+phi_39044_ = vec3<f32>(_e17404, _e17407, sqrt(select(0f, _e17413, (_e17413 > 0f))));
 } else {
-phi_39031_ = vec3<f32>(_e17153, _e17154, select(1f, (_e17138 * _e17149), _e12437));
+phi_39044_ = vec3<f32>(_e17153, _e17154, select(1f, (_e17138 * _e17149), _e12437));
 }
-let _e17419 = phi_39031_;
+let _e17419 = phi_39044_;
 if _e5120 {
-phi_39125_ = 1f;
+phi_39138_ = 1f;
 } else {
 let _e17425 = global_1.member.member_12.member_20.member;
 let _e17433 = (((_e17425.member * _e17136) + (_e17425.member_1 * _e17137)) + (_e17425.member_2 * _e17138));
@@ -5544,23 +5544,23 @@ let _e17461 = global_1.member.member_12.member_20.member_2;
 let _e17462 = ((_e17455 - (sqrt(select(0f, _e17444, (_e17444 > 0f))) / select(1e-20f, _e17433, (_e17433 > 1e-20f)))) * _e17461);
 let _e17464 = select(0f, _e17462, (_e17462 > 0f));
 let _e17466 = select(1f, _e17464, (_e17464 < 1f));
-phi_39125_ = select(1f, select(0f, ((_e17466 * _e17466) * (3f - (2f * _e17466))), (_e17433 > 0f)), (_e17461 > 0f));
+phi_39138_ = select(1f, select(0f, ((_e17466 * _e17466) * (3f - (2f * _e17466))), (_e17433 > 0f)), (_e17461 > 0f));
 }
-let _e17476 = phi_39125_;
+let _e17476 = phi_39138_;
 let _e17481 = global_1.member.member_11.member_1;
 if _e5120 {
-phi_39167_ = 1f;
+phi_39180_ = 1f;
 } else {
-phi_39167_ = (1f / select(1e-12f, _e17143, (_e17143 > 1e-12f)));
+phi_39180_ = (1f / select(1e-12f, _e17143, (_e17143 > 1e-12f)));
 }
-let _e17495 = phi_39167_;
+let _e17495 = phi_39180_;
 let _e17496 = (_e17495 * select(_e17476, 1f, (_e630 && _e16841)));
-let _e17508 = ((_e12490.member * _e17419.x) + (_e12501.member * _e17419.y));
-let _e17509 = ((_e12490.member_1 * _e17419.x) + (_e12501.member_1 * _e17419.y));
-let _e17510 = ((_e12490.member_2 * _e17419.x) + (_e12501.member_2 * _e17419.y));
-let _e17512 = (_e12515.member * _e17419.z);
-let _e17513 = (_e12515.member_1 * _e17419.z);
-let _e17514 = (_e12515.member_2 * _e17419.z);
+let _e17508 = ((_e12489.member * _e17419.x) + (_e12500.member * _e17419.y));
+let _e17509 = ((_e12489.member_1 * _e17419.x) + (_e12500.member_1 * _e17419.y));
+let _e17510 = ((_e12489.member_2 * _e17419.x) + (_e12500.member_2 * _e17419.y));
+let _e17512 = (_e12514.member * _e17419.z);
+let _e17513 = (_e12514.member_1 * _e17419.z);
+let _e17514 = (_e12514.member_2 * _e17419.z);
 let _e17516 = (_e17508 + _e17512);
 let _e17517 = (_e17509 + _e17513);
 let _e17518 = (_e17510 + _e17514);
@@ -5574,7 +5574,7 @@ let _e17532 = select(_e5543, _e17530, (_e17530 < _e5543));
 let _e17534 = select(_e5533, _e13195, (_e13195 > _e5533));
 let _e17536 = select(_e5548, _e17534, (_e17534 < _e5548));
 if _e9923 {
-phi_39398_ = vec3<f32>(_e17528, _e17532, _e17536);
+phi_39411_ = vec3<f32>(_e17528, _e17532, _e17536);
 } else {
 let _e17538 = (_e17528 + 0.5f);
 let _e17539 = (_e5418 - 1f);
@@ -5591,9 +5591,9 @@ let _e17575 = (_e5428 - 1f);
 let _e17577 = select(0f, _e17574, (_e17574 > 0f));
 let _e17579 = select(_e17575, _e17577, (_e17577 < _e17575));
 let _e17586 = select(0i, select(select(i32(_e17579), i32(-2147483648), (_e17579 < -2147483600f)), 2147483647i, (_e17579 > 2147483500f)), (_e17579 == _e17579));
-phi_39398_ = vec3<f32>(f32((_e17550 - select(0i, 1i, (_e17543 < f32(_e17550))))), f32((_e17568 - select(0i, 1i, (_e17561 < f32(_e17568))))), f32((_e17586 - select(0i, 1i, (_e17579 < f32(_e17586))))));
+phi_39411_ = vec3<f32>(f32((_e17550 - select(0i, 1i, (_e17543 < f32(_e17550))))), f32((_e17568 - select(0i, 1i, (_e17561 < f32(_e17568))))), f32((_e17586 - select(0i, 1i, (_e17579 < f32(_e17586))))));
 }
-let _e17594 = phi_39398_;
+let _e17594 = phi_39411_;
 let _e17597 = select(-1f, _e17594.x, (_e17594.x > -1f));
 let _e17599 = select(_e5418, _e17597, (_e17597 < _e5418));
 let _e17606 = select(0i, select(select(i32(_e17599), i32(-2147483648), (_e17599 < -2147483600f)), 2147483647i, (_e17599 > 2147483500f)), (_e17599 == _e17599));
@@ -5915,11 +5915,11 @@ let _e18711 = select(0i, select(select(i32(_e18704), i32(-2147483648), (_e18704 
 let _e18715 = (_e18711 - select(0i, 1i, (_e18704 < f32(_e18711))));
 let _e18716 = f32(_e18715);
 let _e18720 = ((_e18698 - (_e18716 * 0.6933594f)) - (_e18716 * -2.1219444e-4f));
-phi_41086_ = (select(((_e18692 - ((1f + (_e18720 * (1f + (_e18720 * (0.5f + (_e18720 * (0.16666667f + (_e18720 * (0.041666668f + (_e18720 * (0.008333334f + (_e18720 * (0.001388889f + (_e18720 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18715 + 127i)) << bitcast<u32>(23i))))) / select(_e18641, 1f, _e18645)), (_e18692 * (1f - (0.5f * _e18641))), _e18645) * (_e12325 / _e16601));
+phi_41099_ = (select(((_e18692 - ((1f + (_e18720 * (1f + (_e18720 * (0.5f + (_e18720 * (0.16666667f + (_e18720 * (0.041666668f + (_e18720 * (0.008333334f + (_e18720 * (0.001388889f + (_e18720 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e18715 + 127i)) << bitcast<u32>(23i))))) / select(_e18641, 1f, _e18645)), (_e18692 * (1f - (0.5f * _e18641))), _e18645) * (_e12325 / _e16601));
 } else {
-phi_41086_ = _e17523;
+phi_41099_ = _e17523;
 }
-let _e18751 = phi_41086_;
+let _e18751 = phi_41099_;
 let _e18753 = select(_e9655.member, _e10602, (_e10602 < _e9655.member));
 let _e18755 = select(_e9655.member, _e10602, (_e10602 > _e9655.member));
 let _e18758 = (_e14748 + ((_e12935 - _e14748) * 0f));
@@ -5956,14 +5956,14 @@ let _e18887 = (_e12935 + ((_e18884 - _e12935) * 0f));
 let _e18937 = (263219i + ((((((select(0i, 1i, (_e18887 >= _e18766)) + select(0i, 1i, (_e18887 >= _e18776))) + (select(0i, 1i, (_e18887 >= _e18787)) + select(0i, 1i, (_e18887 >= _e18797)))) + ((select(0i, 1i, (_e18887 >= _e18809)) + select(0i, 1i, (_e18887 >= _e18819))) + (select(0i, 1i, (_e18887 >= _e18830)) + select(0i, 1i, (_e18887 >= _e18840))))) * 9i) + (((select(0i, 1i, (_e18884 >= _e18766)) + select(0i, 1i, (_e18884 >= _e18776))) + (select(0i, 1i, (_e18884 >= _e18787)) + select(0i, 1i, (_e18884 >= _e18797)))) + ((select(0i, 1i, (_e18884 >= _e18809)) + select(0i, 1i, (_e18884 >= _e18819))) + (select(0i, 1i, (_e18884 >= _e18830)) + select(0i, 1i, (_e18884 >= _e18840)))))) * 6i));
 let _e18939 = select(_e10335, _e18937, (_e18937 < _e10335));
 let _e18944 = global_3.member[bitcast<u32>(select(0i, _e18939, (_e18939 > 0i)))];
-phi_41885_ = (select(_e17523, _e18751, _e12459) * select((bitcast<f32>(_e18879) * bitcast<f32>(_e18944)), 1f, (select(_e15095, _e13301, (_e13301 < _e15095)) < 1f)));
+phi_41898_ = (select(_e17523, _e18751, _e12459) * select((bitcast<f32>(_e18879) * bitcast<f32>(_e18944)), 1f, (select(_e15095, _e13301, (_e13301 < _e15095)) < 1f)));
 } else {
-phi_41885_ = _e17523;
+phi_41898_ = _e17523;
 }
-let _e18954 = phi_41885_;
-phi_41895_ = type_40(vec3<f32>((((_e17135.x * _e17481.member) * _e17496) * ((_e14332.member_2.x * _e16122.member_2.x) * _e18954)), (((_e17135.y * _e17481.member_1) * _e17496) * ((_e14332.member_2.y * _e16122.member_2.y) * _e18954)), (((_e17135.z * _e17481.member_2) * _e17496) * ((_e14332.member_2.z * _e16122.member_2.z) * _e18954))), (vec3<f32>(_e17508, _e17509, _e17510) + vec3<f32>(_e17512, _e17513, _e17514)));
+let _e18954 = phi_41898_;
+phi_41908_ = type_40(vec3<f32>((((_e17135.x * _e17481.member) * _e17496) * ((_e14332.member_2.x * _e16122.member_2.x) * _e18954)), (((_e17135.y * _e17481.member_1) * _e17496) * ((_e14332.member_2.y * _e16122.member_2.y) * _e18954)), (((_e17135.z * _e17481.member_2) * _e17496) * ((_e14332.member_2.z * _e16122.member_2.z) * _e18954))), (vec3<f32>(_e17508, _e17509, _e17510) + vec3<f32>(_e17512, _e17513, _e17514)));
 }
-let _e18964 = phi_41895_;
+let _e18964 = phi_41908_;
 let _e18973 = (((_e18964.member_1.x * _e18964.member_1.x) + (_e18964.member_1.y * _e18964.member_1.y)) + (_e18964.member_1.z * _e18964.member_1.z));
 let _e18976 = sqrt(select(0f, _e18973, (_e18973 > 0f)));
 let _e18978 = ((_e4218 & 8u) != 0u);
@@ -5976,19 +5976,19 @@ let _e19017 = sqrt(select(0f, _e19014, (_e19014 > 0f)));
 let _e19023 = (_e19017 * _e18976);
 let _e19026 = ((((_e9655.member_2.x * _e18964.member_1.x) + (_e9655.member_2.y * _e18964.member_1.y)) + (_e9655.member_2.z * _e18964.member_1.z)) / select(1e-20f, _e19023, (_e19023 > 1e-20f)));
 if ((((_e9655.member_2.x * _e5355.member_1.x) + (_e9655.member_2.y * _e5355.member_1.y)) + (_e9655.member_2.z * _e5355.member_1.z)) > 0f) {
-phi_42027_ = _e19026;
+phi_42040_ = _e19026;
 } else {
-phi_42027_ = -(_e19026);
+phi_42040_ = -(_e19026);
 }
-let _e19035 = phi_42027_;
+let _e19035 = phi_42040_;
 let _e19043 = ((_e19017 / _e5447) * (1f / 0.015625f));
 let _e19045 = select(0f, _e19043, (_e19043 > 0f));
 let _e19047 = select(1f, _e19045, (_e19045 < 1f));
-phi_42070_ = (1f + ((((_e19035 + bitcast<f32>((bitcast<u32>(_e19035) & 2147483647u))) * 0.5f) - 1f) * select(_e12266, _e19047, (_e19047 > _e12266))));
+phi_42083_ = (1f + ((((_e19035 + bitcast<f32>((bitcast<u32>(_e19035) & 2147483647u))) * 0.5f) - 1f) * select(_e12266, _e19047, (_e19047 > _e12266))));
 } else {
-phi_42070_ = 1f;
+phi_42083_ = 1f;
 }
-let _e19054 = phi_42070_;
+let _e19054 = phi_42083_;
 let _e19061 = global_1.member.member_20.member;
 let _e19068 = (1f - _e5355.member_6);
 let _e19086 = (_e5355.member_5.x + (((_e5355.member_7.x * _e18994) * ((_e12262.member_3.x * (((_e18964.member.x * _e18986) * _e19054) + _e19061.member)) + 0f)) * _e19068));
@@ -6076,112 +6076,112 @@ let _e19488 = select(0f, _e19486, (_e19486 > 0f));
 let _e19490 = select(1f, _e19488, (_e19488 < 1f));
 if _e6190 {
 let _e19500 = global_1.member.member_12.member_18.member_4;
-phi_42518_ = _e19500;
+phi_42539_ = _e19500;
 } else {
 let _e19495 = global_1.member.member_12.member_18.member_3;
-phi_42518_ = _e19495;
+phi_42539_ = _e19495;
 }
-let _e19502 = phi_42518_;
+let _e19502 = phi_42539_;
 let _e19506 = ((bitcast<i32>(_e19502) + (_e19478 * _e19331)) + _e19461);
 let _e19507 = (_e19331 * _e19338);
 let _e19509 = (bitcast<i32>(_e271) - 1i);
 let _e19511 = select(_e19509, _e19506, (_e19506 < _e19509));
-let _e19517 = global_4.member[bitcast<u32>(select(0i, _e19511, (_e19511 > 0i)))];
-let _e19518 = bitcast<f32>(_e19517);
-let _e19519 = (_e19506 + 1i);
-let _e19521 = select(_e19509, _e19519, (_e19519 < _e19509));
-let _e19527 = global_4.member[bitcast<u32>(select(0i, _e19521, (_e19521 > 0i)))];
-let _e19531 = (_e19518 + ((bitcast<f32>(_e19527) - _e19518) * _e19484));
-let _e19532 = (_e19506 + _e19331);
-let _e19534 = select(_e19509, _e19532, (_e19532 < _e19509));
-let _e19540 = global_4.member[bitcast<u32>(select(0i, _e19534, (_e19534 > 0i)))];
-let _e19541 = bitcast<f32>(_e19540);
-let _e19542 = (_e19532 + 1i);
-let _e19544 = select(_e19509, _e19542, (_e19542 < _e19509));
-let _e19550 = global_4.member[bitcast<u32>(select(0i, _e19544, (_e19544 > 0i)))];
-let _e19557 = (_e19531 + (((_e19541 + ((bitcast<f32>(_e19550) - _e19541) * _e19484)) - _e19531) * _e19490));
-let _e19558 = (_e19506 + _e19507);
-let _e19560 = select(_e19509, _e19558, (_e19558 < _e19509));
-let _e19566 = global_4.member[bitcast<u32>(select(0i, _e19560, (_e19560 > 0i)))];
-let _e19567 = bitcast<f32>(_e19566);
-let _e19568 = (_e19558 + 1i);
-let _e19570 = select(_e19509, _e19568, (_e19568 < _e19509));
-let _e19576 = global_4.member[bitcast<u32>(select(0i, _e19570, (_e19570 > 0i)))];
-let _e19580 = (_e19567 + ((bitcast<f32>(_e19576) - _e19567) * _e19484));
-let _e19581 = (_e19558 + _e19331);
-let _e19583 = select(_e19509, _e19581, (_e19581 < _e19509));
-let _e19589 = global_4.member[bitcast<u32>(select(0i, _e19583, (_e19583 > 0i)))];
-let _e19590 = bitcast<f32>(_e19589);
-let _e19591 = (_e19581 + 1i);
-let _e19593 = select(_e19509, _e19591, (_e19591 < _e19509));
-let _e19599 = global_4.member[bitcast<u32>(select(0i, _e19593, (_e19593 > 0i)))];
-let _e19606 = (_e19580 + (((_e19590 + ((bitcast<f32>(_e19599) - _e19590) * _e19484)) - _e19580) * _e19490));
-let _e19608 = (_e19506 + (2i * _e19507));
-let _e19610 = select(_e19509, _e19608, (_e19608 < _e19509));
-let _e19616 = global_4.member[bitcast<u32>(select(0i, _e19610, (_e19610 > 0i)))];
-let _e19617 = bitcast<f32>(_e19616);
-let _e19618 = (_e19608 + 1i);
-let _e19620 = select(_e19509, _e19618, (_e19618 < _e19509));
-let _e19626 = global_4.member[bitcast<u32>(select(0i, _e19620, (_e19620 > 0i)))];
-let _e19630 = (_e19617 + ((bitcast<f32>(_e19626) - _e19617) * _e19484));
-let _e19631 = (_e19608 + _e19331);
-let _e19633 = select(_e19509, _e19631, (_e19631 < _e19509));
-let _e19639 = global_4.member[bitcast<u32>(select(0i, _e19633, (_e19633 > 0i)))];
-let _e19640 = bitcast<f32>(_e19639);
-let _e19641 = (_e19631 + 1i);
-let _e19643 = select(_e19509, _e19641, (_e19641 < _e19509));
-let _e19649 = global_4.member[bitcast<u32>(select(0i, _e19643, (_e19643 > 0i)))];
-let _e19656 = (_e19630 + (((_e19640 + ((bitcast<f32>(_e19649) - _e19640) * _e19484)) - _e19630) * _e19490));
+let _e19516 = global_4.member[bitcast<u32>(select(0i, _e19511, (_e19511 > 0i)))];
+let _e19517 = bitcast<f32>(_e19516);
+let _e19518 = (_e19506 + 1i);
+let _e19520 = select(_e19509, _e19518, (_e19518 < _e19509));
+let _e19525 = global_4.member[bitcast<u32>(select(0i, _e19520, (_e19520 > 0i)))];
+let _e19529 = (_e19517 + ((bitcast<f32>(_e19525) - _e19517) * _e19484));
+let _e19530 = (_e19506 + _e19331);
+let _e19532 = select(_e19509, _e19530, (_e19530 < _e19509));
+let _e19537 = global_4.member[bitcast<u32>(select(0i, _e19532, (_e19532 > 0i)))];
+let _e19538 = bitcast<f32>(_e19537);
+let _e19539 = (_e19530 + 1i);
+let _e19541 = select(_e19509, _e19539, (_e19539 < _e19509));
+let _e19546 = global_4.member[bitcast<u32>(select(0i, _e19541, (_e19541 > 0i)))];
+let _e19553 = (_e19529 + (((_e19538 + ((bitcast<f32>(_e19546) - _e19538) * _e19484)) - _e19529) * _e19490));
+let _e19554 = (_e19506 + _e19507);
+let _e19556 = select(_e19509, _e19554, (_e19554 < _e19509));
+let _e19561 = global_4.member[bitcast<u32>(select(0i, _e19556, (_e19556 > 0i)))];
+let _e19562 = bitcast<f32>(_e19561);
+let _e19563 = (_e19554 + 1i);
+let _e19565 = select(_e19509, _e19563, (_e19563 < _e19509));
+let _e19570 = global_4.member[bitcast<u32>(select(0i, _e19565, (_e19565 > 0i)))];
+let _e19574 = (_e19562 + ((bitcast<f32>(_e19570) - _e19562) * _e19484));
+let _e19575 = (_e19554 + _e19331);
+let _e19577 = select(_e19509, _e19575, (_e19575 < _e19509));
+let _e19582 = global_4.member[bitcast<u32>(select(0i, _e19577, (_e19577 > 0i)))];
+let _e19583 = bitcast<f32>(_e19582);
+let _e19584 = (_e19575 + 1i);
+let _e19586 = select(_e19509, _e19584, (_e19584 < _e19509));
+let _e19591 = global_4.member[bitcast<u32>(select(0i, _e19586, (_e19586 > 0i)))];
+let _e19598 = (_e19574 + (((_e19583 + ((bitcast<f32>(_e19591) - _e19583) * _e19484)) - _e19574) * _e19490));
+let _e19600 = (_e19506 + (2i * _e19507));
+let _e19602 = select(_e19509, _e19600, (_e19600 < _e19509));
+let _e19607 = global_4.member[bitcast<u32>(select(0i, _e19602, (_e19602 > 0i)))];
+let _e19608 = bitcast<f32>(_e19607);
+let _e19609 = (_e19600 + 1i);
+let _e19611 = select(_e19509, _e19609, (_e19609 < _e19509));
+let _e19616 = global_4.member[bitcast<u32>(select(0i, _e19611, (_e19611 > 0i)))];
+let _e19620 = (_e19608 + ((bitcast<f32>(_e19616) - _e19608) * _e19484));
+let _e19621 = (_e19600 + _e19331);
+let _e19623 = select(_e19509, _e19621, (_e19621 < _e19509));
+let _e19628 = global_4.member[bitcast<u32>(select(0i, _e19623, (_e19623 > 0i)))];
+let _e19629 = bitcast<f32>(_e19628);
+let _e19630 = (_e19621 + 1i);
+let _e19632 = select(_e19509, _e19630, (_e19630 < _e19509));
+let _e19637 = global_4.member[bitcast<u32>(select(0i, _e19632, (_e19632 > 0i)))];
+let _e19644 = (_e19620 + (((_e19629 + ((bitcast<f32>(_e19637) - _e19629) * _e19484)) - _e19620) * _e19490));
 if _e5120 {
-phi_42886_ = vec3<f32>(_e19557, _e19606, _e19656);
+phi_42907_ = vec3<f32>(_e19553, _e19598, _e19644);
 } else {
 if _e5120 {
-phi_42854_ = 1f;
+phi_42875_ = 1f;
 } else {
-let _e19662 = global_1.member.member_12.member_20.member;
-let _e19670 = (((_e19662.member * _e19171) + (_e19662.member_1 * _e19172)) + (_e19662.member_2 * _e19173));
-let _e19674 = (_e19171 - (_e19662.member * _e19670));
-let _e19675 = (_e19172 - (_e19662.member_1 * _e19670));
-let _e19676 = (_e19173 - (_e19662.member_2 * _e19670));
-let _e19681 = (((_e19674 * _e19674) + (_e19675 * _e19675)) + (_e19676 * _e19676));
-let _e19692 = global_1.member.member_12.member_20.member_1;
-let _e19698 = global_1.member.member_12.member_20.member_2;
-let _e19699 = ((_e19692 - (sqrt(select(0f, _e19681, (_e19681 > 0f))) / select(1e-20f, _e19670, (_e19670 > 1e-20f)))) * _e19698);
-let _e19701 = select(0f, _e19699, (_e19699 > 0f));
-let _e19703 = select(1f, _e19701, (_e19701 < 1f));
-phi_42854_ = select(1f, select(0f, ((_e19703 * _e19703) * (3f - (2f * _e19703))), (_e19670 > 0f)), (_e19698 > 0f));
+let _e19650 = global_1.member.member_12.member_20.member;
+let _e19658 = (((_e19650.member * _e19171) + (_e19650.member_1 * _e19172)) + (_e19650.member_2 * _e19173));
+let _e19662 = (_e19171 - (_e19650.member * _e19658));
+let _e19663 = (_e19172 - (_e19650.member_1 * _e19658));
+let _e19664 = (_e19173 - (_e19650.member_2 * _e19658));
+let _e19669 = (((_e19662 * _e19662) + (_e19663 * _e19663)) + (_e19664 * _e19664));
+let _e19680 = global_1.member.member_12.member_20.member_1;
+let _e19686 = global_1.member.member_12.member_20.member_2;
+let _e19687 = ((_e19680 - (sqrt(select(0f, _e19669, (_e19669 > 0f))) / select(1e-20f, _e19658, (_e19658 > 1e-20f)))) * _e19686);
+let _e19689 = select(0f, _e19687, (_e19687 > 0f));
+let _e19691 = select(1f, _e19689, (_e19689 < 1f));
+phi_42875_ = select(1f, select(0f, ((_e19691 * _e19691) * (3f - (2f * _e19691))), (_e19658 > 0f)), (_e19686 > 0f));
 }
-let _e19713 = phi_42854_;
-let _e19715 = select(0f, 1f, (_e19173 > 0f));
-let _e19719 = ((_e19557 * _e19715) + _e19713);
-let _e19720 = ((_e19606 * _e19715) + _e19713);
-let _e19721 = ((_e19656 * _e19715) + _e19713);
-phi_42886_ = vec3<f32>(select(0f, _e19719, (_e19719 > 0f)), select(0f, _e19720, (_e19720 > 0f)), select(0f, _e19721, (_e19721 > 0f)));
+let _e19701 = phi_42875_;
+let _e19703 = select(0f, 1f, (_e19173 > 0f));
+let _e19707 = ((_e19553 * _e19703) + _e19701);
+let _e19708 = ((_e19598 * _e19703) + _e19701);
+let _e19709 = ((_e19644 * _e19703) + _e19701);
+phi_42907_ = vec3<f32>(select(0f, _e19707, (_e19707 > 0f)), select(0f, _e19708, (_e19708 > 0f)), select(0f, _e19709, (_e19709 > 0f)));
 }
-let _e19730 = phi_42886_;
+let _e19718 = phi_42907_;
 if _e5120 {
-phi_42912_ = 1f;
+phi_42933_ = 1f;
 } else {
-phi_42912_ = (1f / select(1e-12f, _e19178, (_e19178 > 1e-12f)));
+phi_42933_ = (1f / select(1e-12f, _e19178, (_e19178 > 1e-12f)));
 }
-let _e19735 = phi_42912_;
-let _e19745 = global_1.member.member_11.member_1;
-phi_43180_ = type_40(vec3<f32>((_e19745.member * (_e19730.x * _e19735)), (_e19745.member_1 * (_e19730.y * _e19735)), (_e19745.member_2 * (_e19730.z * _e19735))), _e19229);
+let _e19723 = phi_42933_;
+let _e19733 = global_1.member.member_11.member_1;
+phi_43201_ = type_40(vec3<f32>((_e19733.member * (_e19718.x * _e19723)), (_e19733.member_1 * (_e19718.y * _e19723)), (_e19733.member_2 * (_e19718.z * _e19723))), _e19229);
 } else {
 if _e5120 {
 let _e19309 = global_1.member.member_11.member_1;
 let _e19317 = global_1.member.member_11.member;
-phi_43179_ = type_40(vec3<f32>(_e19309.member, _e19309.member_1, _e19309.member_2), vec3<f32>(_e19317.member, _e19317.member_1, _e19317.member_2));
+phi_43200_ = type_40(vec3<f32>(_e19309.member, _e19309.member_1, _e19309.member_2), vec3<f32>(_e19317.member, _e19317.member_1, _e19317.member_2));
 } else {
 let _e19235 = global_1.member.member_11.member_1;
 if _e5120 {
-phi_43023_ = 1f;
+phi_43044_ = 1f;
 } else {
-phi_43023_ = (1f / select(1e-12f, _e19178, (_e19178 > 1e-12f)));
+phi_43044_ = (1f / select(1e-12f, _e19178, (_e19178 > 1e-12f)));
 }
-let _e19243 = phi_43023_;
+let _e19243 = phi_43044_;
 if _e5120 {
-phi_43107_ = 1f;
+phi_43128_ = 1f;
 } else {
 let _e19248 = global_1.member.member_12.member_20.member;
 let _e19256 = (((_e19248.member * _e19171) + (_e19248.member_1 * _e19172)) + (_e19248.member_2 * _e19173));
@@ -6194,125 +6194,125 @@ let _e19284 = global_1.member.member_12.member_20.member_2;
 let _e19285 = ((_e19278 - (sqrt(select(0f, _e19267, (_e19267 > 0f))) / select(1e-20f, _e19256, (_e19256 > 1e-20f)))) * _e19284);
 let _e19287 = select(0f, _e19285, (_e19285 > 0f));
 let _e19289 = select(1f, _e19287, (_e19287 < 1f));
-phi_43107_ = select(1f, select(0f, ((_e19289 * _e19289) * (3f - (2f * _e19289))), (_e19256 > 0f)), (_e19284 > 0f));
+phi_43128_ = select(1f, select(0f, ((_e19289 * _e19289) * (3f - (2f * _e19289))), (_e19256 > 0f)), (_e19284 > 0f));
 }
-let _e19299 = phi_43107_;
+let _e19299 = phi_43128_;
 let _e19300 = (_e19243 * _e19299);
-phi_43179_ = type_40(vec3<f32>((_e19235.member * _e19300), (_e19235.member_1 * _e19300), (_e19235.member_2 * _e19300)), _e19229);
+phi_43200_ = type_40(vec3<f32>((_e19235.member * _e19300), (_e19235.member_1 * _e19300), (_e19235.member_2 * _e19300)), _e19229);
 }
-let _e19324 = phi_43179_;
-phi_43180_ = _e19324;
+let _e19324 = phi_43200_;
+phi_43201_ = _e19324;
 }
-let _e19755 = phi_43180_;
-let _e19759 = global_1.member.member_23.member_4;
+let _e19743 = phi_43201_;
+let _e19747 = global_1.member.member_23.member_4;
+let _e19755 = (((_e19747.member * _e6219) + (_e19747.member_1 * _e6220)) + (_e19747.member_2 * _e6221));
+let _e19759 = global_1.member.member_23.member_5;
 let _e19767 = (((_e19759.member * _e6219) + (_e19759.member_1 * _e6220)) + (_e19759.member_2 * _e6221));
-let _e19771 = global_1.member.member_23.member_5;
+let _e19771 = global_1.member.member_23.member_6;
 let _e19779 = (((_e19771.member * _e6219) + (_e19771.member_1 * _e6220)) + (_e19771.member_2 * _e6221));
-let _e19783 = global_1.member.member_23.member_6;
-let _e19791 = (((_e19783.member * _e6219) + (_e19783.member_1 * _e6220)) + (_e19783.member_2 * _e6221));
-let _e19795 = global_1.member.member_20.member_1;
-let _e19805 = global_1.member.member_20.member_2;
-let _e19818 = global_1.member.member_20.member_3;
-let _e19831 = global_1.member.member_20.member_4;
-let _e19835 = (_e19767 * _e19767);
-let _e19842 = global_1.member.member_20.member_5;
-let _e19846 = (_e19779 * _e19779);
-let _e19856 = global_1.member.member_20.member_6;
-let _e19860 = (_e19791 * _e19791);
-let _e19870 = global_1.member.member_20.member_7;
-let _e19874 = (_e19767 * _e19779);
-let _e19881 = global_1.member.member_20.member_8;
-let _e19885 = (_e19767 * _e19791);
-let _e19895 = global_1.member.member_20.member_9;
-let _e19899 = (_e19779 * _e19791);
-let _e19912 = ((_e19061.member + (((_e19795.member * _e19767) + (_e19805.member * _e19779)) + (_e19818.member * _e19791))) + ((((_e19831.member * _e19835) + (_e19842.member * _e19846)) + (_e19856.member * _e19860)) + (((_e19870.member * _e19874) + (_e19881.member * _e19885)) + (_e19895.member * _e19899))));
-let _e19913 = ((_e19061.member_1 + (((_e19795.member_1 * _e19767) + (_e19805.member_1 * _e19779)) + (_e19818.member_1 * _e19791))) + ((((_e19831.member_1 * _e19835) + (_e19842.member_1 * _e19846)) + (_e19856.member_1 * _e19860)) + (((_e19870.member_1 * _e19874) + (_e19881.member_1 * _e19885)) + (_e19895.member_1 * _e19899))));
-let _e19914 = ((_e19061.member_2 + (((_e19795.member_2 * _e19767) + (_e19805.member_2 * _e19779)) + (_e19818.member_2 * _e19791))) + ((((_e19831.member_2 * _e19835) + (_e19842.member_2 * _e19846)) + (_e19856.member_2 * _e19860)) + (((_e19870.member_2 * _e19874) + (_e19881.member_2 * _e19885)) + (_e19895.member_2 * _e19899))));
-let _e19929 = (((_e19755.member_1.x * _e19755.member_1.x) + (_e19755.member_1.y * _e19755.member_1.y)) + (_e19755.member_1.z * _e19755.member_1.z));
-let _e19932 = sqrt(select(0f, _e19929, (_e19929 > 0f)));
-let _e19936 = (1e-6f * _e19932);
-let _e19940 = select((_e19932 / select(_e19936, _e19755.member_1.z, (_e19755.member_1.z > _e19936))), 1f, _e18978);
-let _e19955 = (-((((_e6219 * _e19755.member_1.x) + (_e6220 * _e19755.member_1.y)) + (_e6221 * _e19755.member_1.z))) / select(1e-20f, _e19932, (_e19932 > 1e-20f)));
-let _e19960 = bitcast<f32>((bitcast<u32>(select(0f, _e19955, (_e19955 > 0f))) & 2147483647u));
-let _e19973 = (1f - _e19093);
-let _e19987 = select(_e19093, 1f, _e6231);
-let _e19992 = select(_e19098, _e19096, (_e19096 > _e19098));
-phi_43508_ = type_34(vec3<f32>(select(_e6126, _e19115, _e6231), select(_e6127, _e19116, _e6231), select(_e6128, _e19117, _e6231)), vec3<f32>(select((_e9903 + (_e9655.member_4.x * _e10584)), select((_e9903 + (_e10547 * _e10566)), _e9903, _e10567), _e6110), select((_e9904 + (_e9655.member_4.y * _e10584)), select((_e9904 + (_e10548 * _e10566)), _e9904, _e10567), _e6110), select((_e9905 + (_e9655.member_4.z * _e10584)), select((_e9905 + (_e10549 * _e10566)), _e9905, _e10567), _e6110)), _e9655.member, select(4f, 1f, (_e6231 || (((1f - _e19987) * select(_e19100, _e19992, (_e19992 > _e19100))) < 9.765625e-4f))), select(_e19111, (_e19111 + (_e19973 * _e19117)), _e6231), vec3<f32>(select(_e19086, (_e19086 + ((_e19096 * ((select(_e6212.member, _e6201.member, _e6190) * (((_e19755.member.x * _e19940) * _e19960) + select(0f, _e19912, (_e19912 > 0f)))) * _e18994)) * _e19973)), _e6231), select(_e19088, (_e19088 + ((_e19098 * ((select(_e6212.member_1, _e6201.member_1, _e6190) * (((_e19755.member.y * _e19940) * _e19960) + select(0f, _e19913, (_e19913 > 0f)))) * _e18994)) * _e19973)), _e6231), select(_e19090, (_e19090 + ((_e19100 * ((select(_e6212.member_2, _e6201.member_2, _e6190) * (((_e19755.member.z * _e19940) * _e19960) + select(0f, _e19914, (_e19914 > 0f)))) * _e18994)) * _e19973)), _e6231)), _e19987, (_e5355.member_7 * _e12262.member_2), select(0f, _e9655.member_3, (_e5368 != (_e6110 && !((_e10563 && (_e10532 != 0f)))))), -1.2676506e30f, _e5355.member_10, _e5355.member_11, _e5355.member_12);
-phi_43509_ = _e9896.member_2;
-phi_43511_ = _e9655;
+let _e19783 = global_1.member.member_20.member_1;
+let _e19793 = global_1.member.member_20.member_2;
+let _e19806 = global_1.member.member_20.member_3;
+let _e19819 = global_1.member.member_20.member_4;
+let _e19823 = (_e19755 * _e19755);
+let _e19830 = global_1.member.member_20.member_5;
+let _e19834 = (_e19767 * _e19767);
+let _e19844 = global_1.member.member_20.member_6;
+let _e19848 = (_e19779 * _e19779);
+let _e19858 = global_1.member.member_20.member_7;
+let _e19862 = (_e19755 * _e19767);
+let _e19869 = global_1.member.member_20.member_8;
+let _e19873 = (_e19755 * _e19779);
+let _e19883 = global_1.member.member_20.member_9;
+let _e19887 = (_e19767 * _e19779);
+let _e19900 = ((_e19061.member + (((_e19783.member * _e19755) + (_e19793.member * _e19767)) + (_e19806.member * _e19779))) + ((((_e19819.member * _e19823) + (_e19830.member * _e19834)) + (_e19844.member * _e19848)) + (((_e19858.member * _e19862) + (_e19869.member * _e19873)) + (_e19883.member * _e19887))));
+let _e19901 = ((_e19061.member_1 + (((_e19783.member_1 * _e19755) + (_e19793.member_1 * _e19767)) + (_e19806.member_1 * _e19779))) + ((((_e19819.member_1 * _e19823) + (_e19830.member_1 * _e19834)) + (_e19844.member_1 * _e19848)) + (((_e19858.member_1 * _e19862) + (_e19869.member_1 * _e19873)) + (_e19883.member_1 * _e19887))));
+let _e19902 = ((_e19061.member_2 + (((_e19783.member_2 * _e19755) + (_e19793.member_2 * _e19767)) + (_e19806.member_2 * _e19779))) + ((((_e19819.member_2 * _e19823) + (_e19830.member_2 * _e19834)) + (_e19844.member_2 * _e19848)) + (((_e19858.member_2 * _e19862) + (_e19869.member_2 * _e19873)) + (_e19883.member_2 * _e19887))));
+let _e19917 = (((_e19743.member_1.x * _e19743.member_1.x) + (_e19743.member_1.y * _e19743.member_1.y)) + (_e19743.member_1.z * _e19743.member_1.z));
+let _e19920 = sqrt(select(0f, _e19917, (_e19917 > 0f)));
+let _e19924 = (1e-6f * _e19920);
+let _e19928 = select((_e19920 / select(_e19924, _e19743.member_1.z, (_e19743.member_1.z > _e19924))), 1f, _e18978);
+let _e19943 = (-((((_e6219 * _e19743.member_1.x) + (_e6220 * _e19743.member_1.y)) + (_e6221 * _e19743.member_1.z))) / select(1e-20f, _e19920, (_e19920 > 1e-20f)));
+let _e19948 = bitcast<f32>((bitcast<u32>(select(0f, _e19943, (_e19943 > 0f))) & 2147483647u));
+let _e19961 = (1f - _e19093);
+let _e19975 = select(_e19093, 1f, _e6232);
+let _e19980 = select(_e19098, _e19096, (_e19096 > _e19098));
+phi_43529_ = type_34(vec3<f32>(select(_e6126, _e19115, _e6232), select(_e6127, _e19116, _e6232), select(_e6128, _e19117, _e6232)), vec3<f32>(select((_e9903 + (_e9655.member_4.x * _e10584)), select((_e9903 + (_e10547 * _e10566)), _e9903, _e10567), _e6110), select((_e9904 + (_e9655.member_4.y * _e10584)), select((_e9904 + (_e10548 * _e10566)), _e9904, _e10567), _e6110), select((_e9905 + (_e9655.member_4.z * _e10584)), select((_e9905 + (_e10549 * _e10566)), _e9905, _e10567), _e6110)), _e9655.member, select(4f, 1f, (_e6232 || (((1f - _e19975) * select(_e19100, _e19980, (_e19980 > _e19100))) < 9.765625e-4f))), select(_e19111, (_e19111 + (_e19961 * _e19117)), _e6232), vec3<f32>(select(_e19086, (_e19086 + ((_e19096 * ((select(_e6212.member, _e6201.member, _e6190) * (((_e19743.member.x * _e19928) * _e19948) + select(0f, _e19900, (_e19900 > 0f)))) * _e18994)) * _e19961)), _e6232), select(_e19088, (_e19088 + ((_e19098 * ((select(_e6212.member_1, _e6201.member_1, _e6190) * (((_e19743.member.y * _e19928) * _e19948) + select(0f, _e19901, (_e19901 > 0f)))) * _e18994)) * _e19961)), _e6232), select(_e19090, (_e19090 + ((_e19100 * ((select(_e6212.member_2, _e6201.member_2, _e6190) * (((_e19743.member.z * _e19928) * _e19948) + select(0f, _e19902, (_e19902 > 0f)))) * _e18994)) * _e19961)), _e6232)), _e19975, (_e5355.member_7 * _e12262.member_2), select(0f, _e9655.member_3, (_e5368 != (_e6110 && !((_e10563 && (_e10532 != 0f)))))), -1.2676506e30f, _e5355.member_10, _e5355.member_11, _e5355.member_12);
+phi_43530_ = _e9896.member_2;
+phi_43533_ = _e9655;
 }
-let _e20023 = phi_43508_;
-let _e20025 = phi_43509_;
-let _e20027 = phi_43511_;
-phi_10869_ = _e20023;
-phi_10871_ = _e20025;
-phi_10875_ = _e20027;
-phi_10877_ = (_e5361 + 1i);
+let _e20011 = phi_43529_;
+let _e20013 = phi_43530_;
+let _e20015 = phi_43533_;
+phi_10874_ = _e20011;
+phi_10876_ = _e20013;
+phi_10882_ = _e20015;
+phi_10884_ = (_e5361 + 1i);
 } else {
-phi_10869_ = type_34();
-phi_10871_ = f32();
-phi_10875_ = type_37();
-phi_10877_ = i32();
+phi_10874_ = type_34();
+phi_10876_ = f32();
+phi_10882_ = type_37();
+phi_10884_ = i32();
 }
-let _e20029 = phi_10869_;
-let _e20031 = phi_10871_;
-let _e20033 = phi_10875_;
-let _e20035 = phi_10877_;
+let _e20017 = phi_10874_;
+let _e20019 = phi_10876_;
+let _e20021 = phi_10882_;
+let _e20023 = phi_10884_;
 continue;
 continuing {
-phi_10868_ = _e20029;
-phi_10870_ = _e20031;
-phi_10874_ = _e20033;
-phi_10876_ = _e20035;
+phi_10873_ = _e20017;
+phi_10875_ = _e20019;
+phi_10881_ = _e20021;
+phi_10883_ = _e20023;
 break if !(_e5365);
 }
 }
-let _e20038 = local_62;
-let _e20042 = local_63;
-let _e20046 = local_64;
-let _e20050 = local_65;
-let _e20054 = local_66;
-let _e20058 = local_67;
-let _e20062 = local_68;
-let _e20065 = local_69;
-let _e20068 = local_70;
-let _e20072 = local_71;
-let _e20076 = local_72;
-let _e20080 = local_73;
-let _e20083 = local_74;
-let _e20087 = local_75;
-let _e20091 = local_76;
-let _e20095 = local_77;
-let _e20098 = local_78;
-let _e20101 = local_79;
-let _e20104 = local_80;
-let _e20107 = local_81;
-let _e20111 = local_82;
-let _e20115 = local_83;
-global_5.member[_e296] = _e20038.member.x;
-global_5.member[_e308] = _e20042.member.y;
-global_5.member[_e319] = _e20046.member.z;
-global_5.member[_e330] = _e20050.member_1.x;
-global_5.member[_e341] = _e20054.member_1.y;
-global_5.member[_e352] = _e20058.member_1.z;
-global_5.member[_e363] = _e20062.member_2;
-let _e20135 = local_84;
-global_5.member[_e374] = _e20135;
-global_5.member[_e385] = _e20065.member_4;
-global_5.member[_e396] = _e20068.member_5.x;
-global_5.member[_e407] = _e20072.member_5.y;
-global_5.member[_e418] = _e20076.member_5.z;
-global_5.member[_e429] = _e20080.member_6;
-global_5.member[_e440] = _e20083.member_7.x;
-global_5.member[_e451] = _e20087.member_7.y;
-global_5.member[_e462] = _e20091.member_7.z;
-global_5.member[_e473] = _e20095.member_8;
-global_5.member[_e484] = _e20098.member_9;
-global_5.member[_e495] = _e20101.member_10;
-global_5.member[_e506] = _e20104.member_11;
-global_5.member[_e517] = _e20107.member_12.x;
-global_5.member[_e528] = _e20111.member_12.y;
-global_5.member[_e539] = _e20115.member_12.z;
+let _e20026 = local_62;
+let _e20030 = local_63;
+let _e20034 = local_64;
+let _e20038 = local_65;
+let _e20042 = local_66;
+let _e20046 = local_67;
+let _e20050 = local_68;
+let _e20053 = local_69;
+let _e20056 = local_70;
+let _e20060 = local_71;
+let _e20064 = local_72;
+let _e20068 = local_73;
+let _e20071 = local_74;
+let _e20075 = local_75;
+let _e20079 = local_76;
+let _e20083 = local_77;
+let _e20086 = local_78;
+let _e20089 = local_79;
+let _e20092 = local_80;
+let _e20095 = local_81;
+let _e20099 = local_82;
+let _e20103 = local_83;
+global_5.member[_e296] = _e20026.member.x;
+global_5.member[_e308] = _e20030.member.y;
+global_5.member[_e319] = _e20034.member.z;
+global_5.member[_e330] = _e20038.member_1.x;
+global_5.member[_e341] = _e20042.member_1.y;
+global_5.member[_e352] = _e20046.member_1.z;
+global_5.member[_e363] = _e20050.member_2;
+let _e20123 = local_84;
+global_5.member[_e374] = _e20123;
+global_5.member[_e385] = _e20053.member_4;
+global_5.member[_e396] = _e20056.member_5.x;
+global_5.member[_e407] = _e20060.member_5.y;
+global_5.member[_e418] = _e20064.member_5.z;
+global_5.member[_e429] = _e20068.member_6;
+global_5.member[_e440] = _e20071.member_7.x;
+global_5.member[_e451] = _e20075.member_7.y;
+global_5.member[_e462] = _e20079.member_7.z;
+global_5.member[_e473] = _e20083.member_8;
+global_5.member[_e484] = _e20086.member_9;
+global_5.member[_e495] = _e20089.member_10;
+global_5.member[_e506] = _e20092.member_11;
+global_5.member[_e517] = _e20095.member_12.x;
+global_5.member[_e528] = _e20099.member_12.y;
+global_5.member[_e539] = _e20103.member_12.z;
 }
 }
 }
