@@ -213,11 +213,11 @@ lines! {
     COLORS_LIGHT: COLORS, "the light behind it, planes every ½ and 1 voxel", "the irradiance, relative", 2.322e-4, 4.6e-4;
     COLORS_COLOR: "the colour of a voxel, of bytes in sRGB", "188, 100, 30", "the linear colour", 1.571e-3, 3.1e-3;
 
-    BODY_DEPTH: BODY, BODY_SETUP, "the depth, voxels of the scan", 0.02, 0.04;
-    BODY_LIGHT: "an opaque ball of triangles within a volume, lit from 0° and 60°: n · l", BODY_SETUP, "the radiance", 0.02, 0.04;
-    BODY_IN_MATTER: "an opaque ball of triangles within a homogeneous cube: n · l e^(−2τ)", "32³ voxels, planes every ½ and 1 voxel, inside 0.8 radii", "the radiance, relative", 0.02, 0.04;
-    BODY_SHADOW: "the shadow of an opaque ball within a volume", "48³ voxels, on a wall, lit from 50°", "the area, relative", 0.02, 0.04;
-    BODY_LENS: "a clear ball of triangles within a volume, n = 1.5: Snell's law", "64³ voxels", CROSSING, 0.04, 0.05;
+    BODY_DEPTH: BODY, BODY_SETUP, "the depth, voxels of the scan", 0.01327, 0.026;
+    BODY_LIGHT: "an opaque ball of triangles within a volume, lit from 0° and 60°: n · l", BODY_SETUP, "the radiance", 6.881e-3, 0.013;
+    BODY_IN_MATTER: "an opaque ball of triangles within a homogeneous cube: n · l e^(−2τ)", "32³ voxels, planes every ½ and 1 voxel, inside 0.8 radii", "the radiance, relative", 0.01799, 0.035;
+    BODY_SHADOW: "the shadow of an opaque ball within a volume", "48³ voxels, on a wall, lit from 50°", "the area, relative", 0.01392, 0.027;
+    BODY_LENS: "a clear ball of triangles within a volume, n = 1.5: Snell's law", "64³ voxels", CROSSING, 0.03255, 0.05;
 
     OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;
