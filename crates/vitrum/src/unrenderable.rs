@@ -248,7 +248,7 @@ pub enum Unrenderable {
         name: String,
     },
     /// Bodies within a volume, and something that takes the place of their voxels.
-    #[error("{name} is within a volume, and there are {beside}")]
+    #[error("the bodies of {name} within the volume are not shown beside {beside}")]
     BodiesBeside {
         /// The mesh of the bodies.
         name: String,

@@ -4,6 +4,7 @@ use crate::failure::{Failure, Status};
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::Path;
+use vitrum::io::Mesh;
 use vitrum::scene::Scene;
 use vitrum::{Assets, Subject};
 
@@ -18,12 +19,14 @@ pub struct Record {
 
 impl Record {
     pub fn of(assets: &Assets) -> Self {
-        let data = match &assets.subject {
-            Subject::Mesh(mesh) => format!("{} {} {:?}", mesh.positions.len(), mesh.triangles.len(), mesh.bounds()),
+        let of_mesh = |mesh: &Mesh| format!("{} {} {:?}", mesh.positions.len(), mesh.triangles.len(), mesh.bounds());
+        let mut data = match &assets.subject {
+            Subject::Mesh(mesh) => of_mesh(mesh),
             subject => subject.volume().map_or_else(String::new, |volume| {
                 format!("{:?} {:?} {:?} {:?}", volume.dimensions, volume.spacing, volume.range, volume.histogram(64))
             }),
         };
+        data.extend(assets.bodies.as_deref().map(of_mesh));
         Self { data }
     }
 

@@ -80,7 +80,7 @@ pub(super) fn check(scene: &Scene, volumes: Volumes<'_>, assets: &Assets) -> Res
     let beside = [
         (colored, "voxels with colours, or factors by the gradient"),
         (volumes.ior.is_some(), "a second volume that gives the index of refraction"),
-        (are_clear && bends(scene), "a scan that bends light itself, and the bodies are clear"),
+        (are_clear && bends(scene), "a scan that bends light itself, as they are clear"),
     ];
     match beside.into_iter().find(|(there, _)| *there) {
         Some((_, beside)) => Err(Unrenderable::BodiesBeside { name: mesh.name.clone(), beside }.into()),
