@@ -203,7 +203,7 @@ mod tests {
     fn bodies_within_a_volume_are_opaque_where_nothing_is_said() {
         let mesh = crate::builtin::mesh("ring").expect("it is built in");
         let found = |scene: &Scene| parts(&mesh, &with_materials(scene)).map(|(bodies, clear)| (bodies.len(), clear));
-        assert_eq!(found(&Scene::default()).unwrap().1, false);
+        assert!(!found(&Scene::default()).unwrap().1);
         let glass = Scene { material: vec![Material::default()], ..Scene::default() };
         assert!(found(&glass).unwrap().1);
     }
