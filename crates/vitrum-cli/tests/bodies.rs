@@ -66,7 +66,7 @@ fn what_bodies_cannot_be_beside_is_refused_with_a_way_out() {
         (&["--set", "method=voxels"], 2, &["`volume`", "a volume and a mesh are given", "`sweep`"]),
         (&["--set", "ior_volume.builtin=ball"], 2, &["`ior_volume`", "meshes within a volume take its place"]),
         (&["--preset=glass", "--set", "material.0.ior=1.5"], 3, &["a scan that bends light itself", "--preset bone"]),
-        (&["--gradient-opacity", "0:0,50:1"], 3, &["within the volume", "factors by the gradient"]),
+        (&["--preset=haze", "--gradient-opacity", "0:0,50:1"], 3, &["within the volume", "factors by the gradient"]),
     ] {
         folder.refuse(&with("out.png", more), code, words);
     }
