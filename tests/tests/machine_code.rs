@@ -23,7 +23,7 @@ const LEAST: [(&str, [f64; 2]); 15] = [
     // Scalar code finds out for each beam and block which pixels are drawn. Without scattered reads AVX2 has no vector code for pixels.
     ("beams_scatter_beam", [20.0, 0.06]),
     ("sweep_filter_light", [40.0, 25.0]),
-    // Where bodies may be met, their surfaces are looked for in loops, whose code stays scalar; the rest of the picture has the bodies of `u16`.
+    // Bodies within the volume, their surfaces and light beside them, are looked for in loops, whose code stays scalar.
     ("sweep_refract_light_u16_with_bodies", [1.7, 0.14]),
     ("sweep_advance_nodes_u16_with_bodies", [1.03, 0.35]),
     ("sweep_propagate_rays_u16_with_bodies", [0.16, 0.18]),

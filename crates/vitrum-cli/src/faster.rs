@@ -15,7 +15,7 @@ pub fn advice(scene: &Scene, backend: &str) -> String {
     if scene.light.iter().filter(|light| light.shadows).count() > 1 {
         ways.push("lights without shadows (light.0.shadows=false)".to_owned());
     }
-    let shows_mesh = !scene.mesh.is_empty() && !scene.has_bodies();
+    let shows_mesh = scene.shows_mesh();
     if scene.shadow.samples > 1 && shows_mesh {
         ways.push(format!("fewer shadow.samples than {}", scene.shadow.samples));
     }

@@ -126,7 +126,7 @@ impl SceneArguments {
 pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, Failure> {
     // Reading a mesh as a volume says what is wrong with that.
     let Opened { mut scene, base, .. } = open(input)?.as_volume();
-    if !scene.mesh.is_empty() && !scene.has_bodies() {
+    if scene.shows_mesh() {
         let message = format!("{input}: this is a mesh, and there is no volume in it");
         let help = format!("`vitrum voxelize {input} -r 256 -o voxels.nrrd` makes one of it");
         return Err(Failure::new(Status::WrongUse, message, help));

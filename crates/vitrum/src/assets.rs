@@ -55,7 +55,7 @@ impl Assets {
     /// As [`Self::load`].
     pub fn load_within(scene: &Scene, base: &Path, max_bytes: Option<u64>) -> Result<Self, Error> {
         let others = Self::beside(scene, base, max_bytes)?;
-        if !scene.mesh.is_empty() && !scene.has_bodies() {
+        if scene.shows_mesh() {
             return Ok(others(load_meshes(&scene.mesh, base, max_bytes)?.into()));
         }
         let bodies = load_bodies(scene, base, max_bytes)?;
@@ -66,13 +66,12 @@ impl Assets {
         Ok(Self { mask, bodies, ..others(volumes(shown, ior)) })
     }
 
-    /// The data with `mesh` in the place of its mesh: of the bodies within the volume, if there are any, else of the subject.
-    #[must_use]
-    pub fn with_mesh(self, mesh: Arc<Mesh>) -> Self {
+    /// Puts `mesh` in the place of the mesh: of the bodies within the volume, if there are any, else of the subject.
+    pub fn set_mesh(&mut self, mesh: Arc<Mesh>) {
         if self.bodies.is_some() {
-            Self { bodies: Some(mesh), ..self }
+            self.bodies = Some(mesh);
         } else {
-            Self { subject: Subject::Mesh(mesh), ..self }
+            self.subject = Subject::Mesh(mesh);
         }
     }
 

@@ -59,7 +59,7 @@ impl Renderer {
         if self.assets.subject.mesh().is_none() && self.assets.bodies.is_none() {
             self.cache = Cache::default();
         }
-        self.assets = self.assets.clone().with_mesh(mesh);
+        self.assets.set_mesh(mesh);
     }
 
     /// The backend.

@@ -6,7 +6,7 @@ use vitrum::scene::{Annotation, AnnotationKind, OrientationStyle, Scene};
 /// A check box for each mark.
 pub fn show(ui: &mut Ui, scene: &mut Scene) {
     use AnnotationKind::{Axes, BoundingBox, Legend, Orientation, ScaleBar};
-    let has_transfer = scene.mesh.is_empty() || scene.has_bodies();
+    let has_transfer = !scene.shows_mesh();
     for (kind, style, name) in [
         (ScaleBar, None, "Scale bar"),
         (Orientation, Some(OrientationStyle::Cube), "Orientation cube"),

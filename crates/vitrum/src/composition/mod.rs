@@ -117,7 +117,7 @@ impl Composition {
         if bare {
             scene.camera.framing = Framing::Visible;
         }
-        if !scene.mesh.is_empty() && !scene.has_bodies() {
+        if scene.shows_mesh() {
             if self.transfer.is_some() || !self.adjustments.is_empty() {
                 return Err(CompositionError::NoTransferFunction { input: self.input.clone() });
             }
@@ -232,8 +232,7 @@ impl Composition {
 
     fn change_source(&self, scene: &mut Scene) {
         let mut keys = self.source.clone();
-        if !scene.mesh.is_empty()
-            && !scene.has_bodies()
+        if scene.shows_mesh()
             && let Some(up) = keys.up.take()
         {
             scene.mesh.iter_mut().for_each(|mesh| mesh.up = Some(up.clone()));

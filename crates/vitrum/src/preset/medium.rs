@@ -113,7 +113,7 @@ pub fn medium_names() -> &'static [(&'static str, &'static str)] {
 pub fn put_into_medium(name: &str, bounds: [Vector; 2], scene: &mut Scene) -> Result<(), MediumError> {
     let look = LOOKS.iter().find(|look| look.name == name);
     let look = look.ok_or_else(|| MediumError::Unknown { name: name.to_owned() })?;
-    if scene.mesh.is_empty() || scene.has_bodies() {
+    if !scene.shows_mesh() {
         return Err(MediumError::NoMesh { name: name.to_owned() });
     }
     let [low, high] = bounds.map(Vec3::from_array);

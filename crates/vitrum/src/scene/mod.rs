@@ -173,6 +173,12 @@ impl Scene {
     pub fn has_bodies(&self) -> bool {
         !self.mesh.is_empty() && (self.volume.file.is_some() || self.volume.builtin.is_some())
     }
+
+    /// Whether the scene shows meshes alone, and not a volume, with or without bodies within it.
+    #[must_use]
+    pub fn shows_mesh(&self) -> bool {
+        !self.mesh.is_empty() && !self.has_bodies()
+    }
 }
 
 impl Default for Scene {

@@ -36,7 +36,7 @@ const BINS: usize = 64;
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = vitrum::composition::open(&arguments.input)?;
     let as_raw_voxels = opened.bare && arguments.volume.raw.is_some();
-    if !opened.scene.mesh.is_empty() && !opened.scene.has_bodies() && !as_raw_voxels {
+    if opened.scene.shows_mesh() && !as_raw_voxels {
         let mesh = input::open_mesh(&arguments.input, arguments.volume.limit())?;
         if arguments.json {
             output::print_json(&mesh::json(&mesh))?;

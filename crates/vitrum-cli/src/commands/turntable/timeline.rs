@@ -57,7 +57,7 @@ impl Timeline {
         for index in 0..frames {
             let scene = timeline.scene(index)?;
             if timeline.moves_meshes() {
-                assets = assets.with_mesh(meshes.at(&scene.mesh)?);
+                assets.set_mesh(meshes.at(&scene.mesh)?);
             }
             vitrum::check(&scene, &assets)
                 .map_err(|error| Failure::from(error).at(&format!("frame {index} of {frames}")))?;

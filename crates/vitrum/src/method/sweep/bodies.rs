@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::method::Tools;
 use crate::method::twist::twisted;
 use crate::method::voxelize::{Grid, Settings};
-use crate::method::voxels::bodies::{Body, bodies, clear};
+use crate::method::voxels::bodies::{are_opaque, bodies, clear, longest_edge};
 use crate::method::voxels::looks::reflectance;
 use crate::method::voxels::solids::Solids;
 use crate::scene::{Material, Rgb, Scene};
@@ -33,10 +33,11 @@ const FEWEST: u32 = 8;
 struct Kind {
     resolution: u32,
     twist: f32,
-    /// Where bodies are clear, the index of refraction of each.
-    indices: Option<Vec<f32>>,
-    /// The reflectance of each body.
-    reflectances: Vec<Rgb>,
+    materials: Vec<Material>,
+    /// The index of refraction of the surroundings.
+    around: f32,
+    /// Whether the bodies are clear.
+    are_clear: bool,
 }
 
 /// The volume of the bodies within a scan.
@@ -58,14 +59,13 @@ fn with_materials(scene: &Scene) -> Scene {
     scene
 }
 
-/// The bodies of a mesh within a volume, and whether they are clear.
-fn parts(mesh: &Mesh, scene: &Scene) -> Result<(Vec<Body>, bool), Error> {
-    let found = bodies(mesh, &scene.material)?;
-    let opaque = found.iter().filter(|body| body.opaque).count();
-    if opaque != 0 && opaque != found.len() {
+/// Whether the bodies of a mesh within a volume are clear.
+fn are_clear(mesh: &Mesh, scene: &Scene) -> Result<bool, Error> {
+    let opaque = are_opaque(mesh, &scene.material)?;
+    if opaque.contains(&true) && opaque.contains(&false) {
         return Err(Unrenderable::MixedBodies { name: mesh.name.clone() }.into());
     }
-    Ok((found, opaque == 0))
+    Ok(!opaque.contains(&true))
 }
 
 /// Checks that a scan can have the bodies of a mesh within it.
@@ -75,7 +75,7 @@ fn parts(mesh: &Mesh, scene: &Scene) -> Result<(Vec<Body>, bool), Error> {
 /// [`Unrenderable::MixedBodies`] of opaque and clear bodies; where the voxels stay in their file.
 pub(super) fn check(scene: &Scene, volumes: Volumes<'_>, assets: &Assets) -> Result<(), Error> {
     let Some(mesh) = &assets.bodies else { return Ok(()) };
-    let (_, are_clear) = parts(mesh, &with_materials(scene))?;
+    let are_clear = are_clear(mesh, &with_materials(scene))?;
     let colored = volumes.shown.colors.is_some() || !scene.transfer.gradient.is_empty();
     let beside = [
         (colored, "voxels with colours, or factors by the gradient"),
@@ -98,15 +98,18 @@ impl BodyVolume {
         let scene = with_materials(scene);
         let kind = Kind::of(&scene, shown, mesh)?;
         let deformed = twisted(mesh, kind.twist);
-        let (bodies, _) = parts(&deformed, &scene)?;
+        let bodies = bodies(&deformed, &scene.material)?;
         let bounds = deformed.bounds().map(|corner| corner.map(f64::from));
         drop(deformed);
         let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
         let grid = Grid::around_box(&mesh.name, bounds, &settings)?;
         let solids = Solids::new(&bodies, grid, tools)?;
-        let volume = match &kind.indices {
-            Some(indices) => Shares::new(&solids.fields, grid).mixed(&mesh.name, indices, 1.0)?,
-            None => opaque(&Shares::straight(&solids.fields, grid, EDGE), &mesh.name, &kind.reflectances)?,
+        let volume = if kind.are_clear {
+            let indices: Vec<f32> = clear(&bodies, mesh, &scene).iter().map(|body| body.ior).collect();
+            Shares::new(&solids.fields, grid).mixed(&mesh.name, &indices, 1.0)?
+        } else {
+            let reflectances: Vec<Rgb> = bodies.iter().map(|body| reflectance(body, mesh, &scene)).collect();
+            opaque(&Shares::straight(&solids.fields, grid, EDGE), &mesh.name, &reflectances)?
         };
         Ok(Self { kind, mesh: Arc::clone(mesh), volume, open_rows: solids.open_rows })
     }
@@ -126,16 +129,17 @@ impl BodyVolume {
 
     /// The volumes of a picture of the scan with the bodies in it.
     pub(super) fn volumes<'a>(&'a self, scan: Volumes<'a>) -> Volumes<'a> {
-        match self.kind.indices {
-            Some(_) => Volumes { ior: Some(&self.volume), ..scan },
-            None => Volumes { bodies: Some(&self.volume), ..scan },
+        if self.kind.are_clear {
+            Volumes { ior: Some(&self.volume), ..scan }
+        } else {
+            Volumes { bodies: Some(&self.volume), ..scan }
         }
     }
 
     /// The scene that renders these volumes: where bodies are clear, the values of the second volume are indices of refraction.
     pub(super) fn scene(&self, scene: &Scene) -> Scene {
         let mut seen = scene.clone();
-        if self.kind.indices.is_some() {
+        if self.kind.are_clear {
             seen.transfer.ior = identity();
             // The bodies' indices are over those of the surroundings already.
             seen.surroundings.ior = 1.0;
@@ -146,18 +150,16 @@ impl BodyVolume {
 
 impl Kind {
     fn of(scene: &Scene, shown: &Volume, mesh: &Mesh) -> Result<Self, Error> {
-        let (bodies, are_clear) = parts(mesh, scene)?;
-        let [low, high] = mesh.bounds();
-        let longest = (0..3).map(|axis| f64::from(high[axis] - low[axis])).fold(0.0, f64::max);
+        let are_clear = are_clear(mesh, scene)?;
         let finest = if are_clear { 1.0 } else { FINEST };
         // A float that is too large, or none, becomes the nearest number.
-        let most = (longest / f64::from(shown.finest_spacing()) * finest).ceil() as u32;
-        let indices = are_clear.then(|| clear(&bodies, mesh, scene).iter().map(|body| body.ior).collect());
+        let most = (f64::from(longest_edge(mesh)) / f64::from(shown.finest_spacing()) * finest).ceil() as u32;
         Ok(Self {
             resolution: scene.voxelization.resolution.min(most.max(FEWEST)),
             twist: scene.mesh.first().map_or(0.0, |mesh| mesh.twist),
-            indices,
-            reflectances: bodies.iter().map(|body| reflectance(body, mesh, scene)).collect(),
+            materials: scene.material.clone(),
+            around: scene.surroundings.ior,
+            are_clear,
         })
     }
 }
@@ -202,9 +204,9 @@ mod tests {
     #[test]
     fn bodies_within_a_volume_are_opaque_where_nothing_is_said() {
         let mesh = crate::builtin::mesh("ring").expect("it is built in");
-        let found = |scene: &Scene| parts(&mesh, &with_materials(scene)).map(|(bodies, clear)| (bodies.len(), clear));
-        assert!(!found(&Scene::default()).unwrap().1);
+        let found = |scene: &Scene| are_clear(&mesh, &with_materials(scene));
+        assert!(!found(&Scene::default()).unwrap());
         let glass = Scene { material: vec![Material::default()], ..Scene::default() };
-        assert!(found(&glass).unwrap().1);
+        assert!(found(&glass).unwrap());
     }
 }

@@ -65,16 +65,27 @@ pub(super) fn groups(mesh: &Mesh, listed: &[Material]) -> Vec<Group> {
 /// # Errors
 /// Where there are more clear materials than rays can tell apart.
 pub fn bodies(mesh: &Mesh, listed: &[Material]) -> Result<Vec<Body>, Error> {
+    are_opaque(mesh, listed)?;
     let split = |group: Group| body(mesh, &group);
     let (opaque, mut bodies): (Vec<Body>, Vec<Body>) =
         groups(mesh, listed).into_iter().map(split).partition(|body| body.opaque);
-    if bodies.len() > AIR as usize {
-        let (name, count) = (mesh.name.clone(), bodies.len());
-        return Err(Unrenderable::TooManyMaterials { name, count, limit: AIR as usize }.into());
-    }
     bodies.sort_by(|a, b| a.mesh.signed_volume().total_cmp(&b.mesh.signed_volume()));
     bodies.extend(opaque);
     Ok(bodies)
+}
+
+/// Whether each body of a mesh is opaque, as [`bodies`] divides it, in no order. `listed` are the scene's materials.
+///
+/// # Errors
+/// As [`bodies`].
+pub(in crate::method) fn are_opaque(mesh: &Mesh, listed: &[Material]) -> Result<Vec<bool>, Error> {
+    let opaque: Vec<bool> = groups(mesh, listed).iter().map(|group| group.opaque).collect();
+    let count = opaque.iter().filter(|opaque| !**opaque).count();
+    if count > AIR as usize {
+        let name = mesh.name.clone();
+        return Err(Unrenderable::TooManyMaterials { name, count, limit: AIR as usize }.into());
+    }
+    Ok(opaque)
 }
 
 /// Whether a clear body of a mesh bends colours differently. `listed` are the scene's materials.
